@@ -1,0 +1,25 @@
+# umbrameter_room(<name> [LINKS ...] [PRIVATE_LINKS ...]): one static library a room; its sources are the folder.
+# The include root is the repository, so an include path shows the room: #include "metrics/parity.h".
+# umbrameter_options(<target>): the warnings and sanitizers every target of ours is built with.
+
+function(umbrameter_options target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
+                                           -Woverloaded-virtual -Wnull-dereference)
+  if(UMBRAMETER_WARNINGS_AS_ERRORS)
+    target_compile_options(${target} PRIVATE -Werror)
+  endif()
+  if(UMBRAMETER_SANITIZE)
+    target_compile_options(${target} PUBLIC -fsanitize=address,undefined -fno-omit-frame-pointer)
+    target_link_options(${target} PUBLIC -fsanitize=address,undefined)
+  endif()
+endfunction()
+
+function(umbrameter_room name)
+  cmake_parse_arguments(ROOM "" "" "LINKS;PRIVATE_LINKS" ${ARGN})
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp")
+  add_library(umbrameter_${name} STATIC ${sources})
+  target_include_directories(umbrameter_${name} PUBLIC "${CMAKE_SOURCE_DIR}")
+  target_link_libraries(umbrameter_${name} PUBLIC ${ROOM_LINKS} PRIVATE ${ROOM_PRIVATE_LINKS})
+  umbrameter_options(umbrameter_${name})
+endfunction()

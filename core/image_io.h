@@ -1,0 +1,27 @@
+#pragma once
+// Reading and writing image files through OpenImageIO. Every write goes to a temporary name and is renamed.
+
+#include "core/image.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+
+namespace umbrameter {
+
+/// Reads any file OpenImageIO knows into float planes named by the file's channels; string attributes that
+/// start with "umbrameter:" come back as metadata without that prefix. Error{input} for missing, truncated,
+/// empty or larger than 16384 x 16384 images.
+Image read_image(const std::filesystem::path& path);
+
+/// Writes one EXR, 32-bit float, zip-compressed, channels by name, metadata as "umbrameter:<key>" strings.
+/// Error{input} when the place cannot be written.
+void write_exr(const std::filesystem::path& path, const Image& image);
+
+/// Writes an 8-bit RGB PNG from rgb[height][width][3], row 0 on top.
+void write_png(const std::filesystem::path& path, int width, int height, std::span<const uint8_t> rgb);
+
+/// The same PNG as bytes, for pages that carry their pictures inside.
+std::vector<uint8_t> encode_png(int width, int height, std::span<const uint8_t> rgb);
+
+}  // namespace umbrameter
