@@ -44,14 +44,13 @@ class Error : public std::runtime_error {
 [[noreturn]] void fail_environment(const std::string& message, const std::string& hint = {});
 
 /// Throws Error{internal} naming the source line; used by UMBRAMETER_ASSERT.
-[[noreturn]] void fail_assertion(
-    const char* condition, const std::string& message,
-    const std::source_location& where = std::source_location::current());
+[[noreturn]] void fail_assertion(const char* condition, const std::string& message,
+                                 const std::source_location& where = std::source_location::current());
 
 }  // namespace umbrameter
 
 /// A condition only our own bug can break. Always on: the checks are outside hot loops.
-#define UMBRAMETER_ASSERT(condition, ...) \
-  do { \
+#define UMBRAMETER_ASSERT(condition, ...)                                                 \
+  do {                                                                                    \
     if (!(condition)) ::umbrameter::fail_assertion(#condition, fmt::format(__VA_ARGS__)); \
   } while (false)

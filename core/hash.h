@@ -1,9 +1,11 @@
 #pragma once
 // Content hashes (XXH3, 128 bit) for scenes, shader texts and result keys.
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 namespace umbrameter {
 

@@ -37,8 +37,8 @@ std::span<float> Image::add_plane(const std::string& channel, float value) {
 
 void require_same_size(const Image& a, const Image& b, std::string_view what) {
   if (a.width == b.width && a.height == b.height) return;
-  fail_input(fmt::format("{}: image sizes differ, {}x{} against {}x{}", what, a.width, a.height, b.width,
-                         b.height));
+  fail_input(
+      fmt::format("{}: image sizes differ, {}x{} against {}x{}", what, a.width, a.height, b.width, b.height));
 }
 
 void require_finite(const Image& image, std::string_view channel) {

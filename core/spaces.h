@@ -12,13 +12,16 @@
 
 namespace umbrameter {
 
-glm::dmat4 view_from_world(const glm::dvec3& eye_world, const glm::dvec3& at_world, const glm::dvec3& up_world);
+glm::dmat4 view_from_world(const glm::dvec3& eye_world, const glm::dvec3& at_world,
+                           const glm::dvec3& up_world);
 
 /// Reversed-depth perspective projection without a far plane.
 glm::dmat4 clip_from_view(double vertical_fov_rad, double aspect, double near_world);
 
-/// Unit direction in view space through the continuous pixel position `p_px` (centre of pixel x,y = x+.5,y+.5).
-glm::dvec3 view_direction_of_pixel(const glm::dvec2& p_px, int width_px, int height_px, double vertical_fov_rad);
+/// Unit direction in view space through the continuous pixel position `p_px` (centre of pixel x,y =
+/// x+.5,y+.5).
+glm::dvec3 view_direction_of_pixel(const glm::dvec2& p_px, int width_px, int height_px,
+                                   double vertical_fov_rad);
 
 /// Continuous pixel position of a clip-space point.
 glm::dvec2 pixel_of_clip(const glm::dvec4& p_clip, int width_px, int height_px);

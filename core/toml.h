@@ -73,7 +73,8 @@ class TomlReader {
   FileLocation where(const std::string& key) const;
   FileLocation where() const { return table_.where; }
   /// Throws Error{input} at `key`.
-  [[noreturn]] void fail(const std::string& key, const std::string& message, const std::string& hint = {}) const;
+  [[noreturn]] void fail(const std::string& key, const std::string& message,
+                         const std::string& hint = {}) const;
   void finish() const;
 
  private:

@@ -13,8 +13,8 @@ namespace umbrameter {
 enum class LightType { rect, disk, sphere, sun };
 std::string_view to_text(LightType type);
 
-/// tangent, bitangent, direction are orthonormal; `direction_world` points away from the light into the scene.
-/// rect and disk emit to that side only.
+/// tangent, bitangent, direction are orthonormal; `direction_world` points away from the light into the
+/// scene. rect and disk emit to that side only.
 struct Light {
   std::string name;
   LightType type = LightType::rect;
@@ -29,8 +29,8 @@ struct Light {
 
 /// One sample of a light as seen from a point.
 struct LightSample {
-  glm::dvec3 to_light_world;     // unit
-  double distance_world = 0.0;   // to the sample; infinity for the sun
+  glm::dvec3 to_light_world{0.0};  // unit; zero at or inside the light
+  double distance_world = 0.0;     // to the sample; infinity for the sun
   /// Irradiance the receiver would get per unit of visibility if the whole light looked like this sample:
   /// cosine at the receiver x cosine at the light x falloff; 0 behind the receiver or behind the light.
   double irradiance_weight = 0.0;
@@ -45,8 +45,8 @@ struct LightSample {
 LightSample sample_light(const Light& light, const glm::dvec3& p_world, const glm::dvec3& n_world,
                          const glm::dvec2& uv);
 
-/// A fixed point of the light (rect, disk; sphere: of the disk facing along direction_world) at `uv`; for the sun
-/// the unit direction *towards* the light. What N-map accumulation renders from.
+/// A fixed point of the light (rect, disk; sphere: of the disk facing along direction_world) at `uv`; for the
+/// sun the unit direction *towards* the light. What N-map accumulation renders from.
 glm::dvec3 light_point(const Light& light, const glm::dvec2& uv);
 
 }  // namespace umbrameter

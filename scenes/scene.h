@@ -52,8 +52,9 @@ struct Scene {
   std::vector<MeshPart> parts;
   Bounds3 bounds_world;
 
-  std::vector<std::string> warnings;  // for the reader of a report: dropped triangles, light inside geometry, ...
-  std::string hash;                   // of everything above that can change a picture
+  std::vector<std::string>
+      warnings;      // for the reader of a report: dropped triangles, light inside geometry, ...
+  std::string hash;  // of everything above that can change a picture
 
   const Light& light() const { return lights.at(active_light); }
 };
@@ -65,7 +66,8 @@ glm::dmat4 view_from_world(const Camera& camera);
 /// Reversed-depth, infinite far (core/spaces.h).
 glm::dmat4 clip_from_world(const Camera& camera, int width_px, int height_px);
 /// Unit world direction through the continuous pixel position.
-glm::dvec3 camera_ray_direction_world(const Camera& camera, const glm::dvec2& p_px, int width_px, int height_px);
+glm::dvec3 camera_ray_direction_world(const Camera& camera, const glm::dvec2& p_px, int width_px,
+                                      int height_px);
 
 /// Limits of a loadable scene; exceeding one is Error{input}.
 inline constexpr uint32_t kMaxTriangles = (1u << 24) - 1;  // primitive_id stays exact in a float

@@ -1,6 +1,6 @@
 #pragma once
-// Point patterns that technique shaders use, and their C++ twins. The realtime room uploads or mirrors exactly
-// these; tests/gpu compares.
+// Point patterns that technique shaders use, and their C++ twins. The realtime room uploads or mirrors
+// exactly these; tests/gpu compares.
 
 #include <glm/vec2.hpp>
 

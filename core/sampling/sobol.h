@@ -14,14 +14,15 @@ struct SobolPoint {
 };
 SobolPoint sobol_point(uint32_t index);
 
-/// Nested uniform (Owen) scrambling of a 32-bit fraction by hashing: Laine-Karras permutation on reversed bits.
-/// Source: Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020.
+/// Nested uniform (Owen) scrambling of a 32-bit fraction by hashing: Laine-Karras permutation on reversed
+/// bits. Source: Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020.
 uint32_t owen_scramble(uint32_t fraction, uint32_t seed);
 
 /// A good 32-bit mix of `value` and `seed`; equal inputs give equal outputs, neighbours differ everywhere.
 uint32_t hash_combine(uint32_t seed, uint32_t value);
 
-/// Point `index` of the set scrambled by `seed`, in [0,1)^2. Any 2^k consecutive aligned points are stratified.
+/// Point `index` of the set scrambled by `seed`, in [0,1)^2. Any 2^k consecutive aligned points are
+/// stratified.
 glm::vec2 scrambled_sobol(uint32_t index, uint32_t seed);
 
 }  // namespace umbrameter
