@@ -1,0 +1,17 @@
+#pragma once
+// Fills the uniform blocks of shaders/shared/frame_data.h.
+
+#include "realtime/shaders/shared/frame_data.h"
+#include "realtime/views/light_view.h"
+#include "scenes/scene.h"
+
+#include <cstdint>
+
+namespace umbrameter {
+
+/// For the scene's camera and active light.
+FrameData make_frame_data(const Scene& scene, int width_px, int height_px, uint64_t seed);
+
+LightViewData make_light_view_data(const LightView& view, int texels_a_side);
+
+}  // namespace umbrameter

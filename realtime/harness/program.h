@@ -1,0 +1,72 @@
+#pragma once
+// Compiling, linking, caching and reflecting GL programs.
+
+#include "realtime/harness/objects.h"
+#include "realtime/harness/shader_source.h"
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace umbrameter {
+
+enum class ShaderStage { vertex, fragment, compute };
+
+struct ShaderFile {
+  ShaderStage stage = ShaderStage::vertex;
+  std::filesystem::path file;
+  std::string prelude;  // put between #version and the file; may itself #include
+};
+
+class Program {
+ public:
+  /// Compiles and links. Error{input} at the user's file and line when the text is wrong.
+  Program(std::span<const ShaderFile> stages, std::span<const std::filesystem::path> search_folders);
+  GLuint id() const { return handle_.id(); }
+  void use() const { glUseProgram(id()); }
+  /// Every file that was read.
+  const std::vector<std::filesystem::path>& dependencies() const { return dependencies_; }
+  /// Driver warnings as "file:line: text".
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
+ private:
+  friend class ProgramCache;
+  Program(std::span<const ShaderFile> stages, std::span<const ShaderSource> sources);
+  GlHandle<destroy_program> handle_;
+  std::vector<std::filesystem::path> dependencies_;
+  std::vector<std::string> warnings_;
+};
+
+/// Programs by the hash of their full text, so an edited file is noticed and an unchanged one is not
+/// recompiled.
+class ProgramCache {
+ public:
+  /// `search_folders`: where #include "x" looks after the including file's own folder.
+  explicit ProgramCache(std::vector<std::filesystem::path> search_folders);
+  std::shared_ptr<const Program> get(std::span<const ShaderFile> stages);
+  const std::vector<std::filesystem::path>& search_folders() const { return search_folders_; }
+
+ private:
+  std::vector<std::filesystem::path> search_folders_;
+  std::map<std::string, std::shared_ptr<const Program>> programs_;
+};
+
+/// A member of a uniform block as the driver lays it out. `name` is without the block's or instance's name
+/// ("frame.eye_world" for a member of a struct).
+struct BlockMember {
+  std::string name;
+  GLenum type = 0;
+  int offset_bytes = 0;
+};
+
+/// Members of block `block`, by offset; empty when the program has no such active block.
+std::vector<BlockMember> uniform_block_members(const Program& program, std::string_view block);
+/// Bytes of block `block`, 0 when it is not active.
+int uniform_block_bytes(const Program& program, std::string_view block);
+/// Names of the samplers (and other default-block uniforms) the linked program uses.
+std::vector<std::string> active_uniforms(const Program& program);
+
+}  // namespace umbrameter

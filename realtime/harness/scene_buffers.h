@@ -1,0 +1,40 @@
+#pragma once
+// A scene's triangles on the GPU, uploaded once.
+
+#include "realtime/harness/objects.h"
+#include "scenes/scene.h"
+
+namespace umbrameter {
+
+/// Storage bindings of the triangle data, for shaders that look vertices up by gl_PrimitiveID or gl_VertexID.
+inline constexpr GLuint kPositionsBinding = 0;  // float[3 * vertex]
+inline constexpr GLuint kTrianglesBinding = 1;  // uint[3 * triangle]
+inline constexpr GLuint kNormalsBinding = 2;    // float[3 * vertex], or 1 unused float without normals
+
+class SceneBuffers {
+ public:
+  explicit SceneBuffers(const Scene& scene);
+
+  /// One indexed draw of every triangle; attribute location 0 = vec3 p_world. A program must be in use.
+  void draw() const;
+  /// One draw of 3 * triangle_count vertices without attributes, for shaders that pull from the storage
+  /// buffers.
+  void draw_pulled() const;
+  /// Binds the three storage buffers.
+  void bind_storage() const;
+
+  size_t triangle_count() const { return triangle_count_; }
+  bool has_normals() const { return has_normals_; }
+  size_t bytes() const;
+
+ private:
+  Buffer positions_;
+  Buffer triangles_;
+  Buffer normals_;
+  VertexArray indexed_;
+  VertexArray pulled_;
+  size_t triangle_count_ = 0;
+  bool has_normals_ = false;
+};
+
+}  // namespace umbrameter
