@@ -1,0 +1,46 @@
+#include "metrics/checks.h"
+
+#include "core/error.h"
+#include "metrics/tiles.h"
+
+#include <limits>
+
+namespace umbrameter {
+
+namespace {
+
+constexpr size_t kNone = std::numeric_limits<size_t>::max();
+
+}  // namespace
+
+void require_mask_size(const Image& image, std::span<const uint8_t> mask, std::string_view what) {
+  if (mask.size() == image.pixel_count()) return;
+  fail_input(fmt::format("{}: the mask has {} pixels, the {}x{} image {}", what, mask.size(), image.width,
+                         image.height, image.pixel_count()));
+}
+
+void require_range(const Image& image, std::string_view channel, std::span<const uint8_t> mask, float low,
+                   float high) {
+  const std::span<const float> values = image.plane(channel);
+  const size_t width = static_cast<size_t>(image.width);
+  std::vector<size_t> first_bad(static_cast<size_t>(image.height), kNone);
+  for_each_row(image.height, [&](int y) {
+    const size_t begin = static_cast<size_t>(y) * width;
+    for (size_t i = begin; i < begin + width; ++i) {
+      if (mask[i] == 0 || (values[i] >= low && values[i] <= high)) continue;
+      first_bad[static_cast<size_t>(y)] = i;
+      return;
+    }
+  });
+  for (const size_t i : first_bad) {
+    if (i == kNone) continue;
+    fail_input(fmt::format("channel '{}' is {} at pixel ({}, {}), outside [{}, {}]", channel, values[i],
+                           i % width, i / width, low, high));
+  }
+}
+
+void require_visibility(const Image& image, std::string_view channel, std::span<const uint8_t> mask) {
+  require_range(image, channel, mask, -kVisibilityRounding, 1.0f + kVisibilityRounding);
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,184 @@
+#include "metrics/parity.h"
+
+#include "core/error.h"
+#include "metrics/checks.h"
+#include "metrics/tiles.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace umbrameter {
+
+namespace {
+
+constexpr float kLargest = std::numeric_limits<float>::max();
+constexpr std::array kVectorChannels = {"position.x", "position.y", "position.z",
+                                        "normal.x",   "normal.y",   "normal.z"};
+
+struct Surface {
+  std::array<std::span<const float>, 3> position, normal;
+  std::span<const float> primitive, irradiance;
+
+  bool hit(size_t i) const { return primitive[i] >= 0.0f; }
+};
+
+// Only what is hit has a position: elsewhere a renderer may leave anything.
+Surface checked_surface(const Image& image) {
+  const std::vector<uint8_t> everywhere(image.pixel_count(), 1);
+  require_range(image, "primitive_id", everywhere, -1.0f, kLargest);
+  const std::span<const float> primitive = image.plane("primitive_id");
+  std::vector<uint8_t> hit(image.pixel_count());
+  for (size_t i = 0; i < hit.size(); ++i) hit[i] = primitive[i] >= 0.0f ? 1 : 0;
+  for (const char* channel : kVectorChannels) require_range(image, channel, hit, -kLargest, kLargest);
+  require_range(image, "unshadowed_irradiance", hit, 0.0f, kLargest);
+  return {{image.plane("position.x"), image.plane("position.y"), image.plane("position.z")},
+          {image.plane("normal.x"), image.plane("normal.y"), image.plane("normal.z")},
+          primitive,
+          image.plane("unshadowed_irradiance")};
+}
+
+float largest_irradiance(std::span<const float> primitive, std::span<const float> irradiance) {
+  float largest = 0.0f;
+  for (size_t i = 0; i < primitive.size(); ++i) {
+    if (primitive[i] >= 0.0f) largest = std::max(largest, irradiance[i]);
+  }
+  return largest;
+}
+
+double relative_distance(const Surface& test, const Surface& reference, size_t i, const double eye_world[3]) {
+  double apart_squared = 0.0, range_squared = 0.0;
+  for (size_t axis = 0; axis < 3; ++axis) {
+    const double at = reference.position[axis][i];
+    apart_squared += std::pow(test.position[axis][i] - at, 2);
+    range_squared += std::pow(at - eye_world[axis], 2);
+  }
+  if (apart_squared == 0.0) return 0.0;
+  return std::sqrt(apart_squared / range_squared);
+}
+
+double cosine_between_normals(const Surface& test, const Surface& reference, size_t i) {
+  double dot = 0.0;
+  for (size_t axis = 0; axis < 3; ++axis) {
+    dot += static_cast<double>(test.normal[axis][i]) * reference.normal[axis][i];
+  }
+  return dot;
+}
+
+struct Judge {
+  Surface test, reference;
+  const double* eye_world;
+  ParityTolerance tolerance;
+  double cosine_limit;
+  double irradiance_slack;
+
+  bool same_surface(size_t i, double relative_depth_error) const {
+    if (test.primitive[i] == reference.primitive[i]) return true;
+    return relative_depth_error <= tolerance.relative_depth &&
+           cosine_between_normals(test, reference, i) >= cosine_limit;
+  }
+  bool same_irradiance(size_t i) const {
+    const double expected = reference.irradiance[i];
+    const double allowed = tolerance.relative_irradiance * expected + irradiance_slack;
+    return std::abs(test.irradiance[i] - expected) <= allowed;
+  }
+};
+
+struct TileCounts {
+  std::array<size_t, 5> by_class{};  // indexed by ParityClass
+  size_t same_primitive = 0;
+  std::vector<float> depth_errors;
+};
+
+ParityClass classify(const Judge& judge, size_t i, TileCounts& counts) {
+  const bool hit_test = judge.test.hit(i), hit_reference = judge.reference.hit(i);
+  if (!hit_test && !hit_reference) return ParityClass::background;
+  if (hit_test != hit_reference) return ParityClass::coverage;
+  const double depth_error = relative_distance(judge.test, judge.reference, i, judge.eye_world);
+  counts.depth_errors.push_back(static_cast<float>(depth_error));
+  if (judge.test.primitive[i] == judge.reference.primitive[i]) ++counts.same_primitive;
+  if (!judge.same_surface(i, depth_error)) return ParityClass::surface;
+  if (!judge.same_irradiance(i)) return ParityClass::irradiance;
+  return ParityClass::agrees;
+}
+
+double median(std::vector<float>& values) {
+  if (values.empty()) return 0.0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace
+
+Parity compare_surfaces(const Image& test, const Image& reference, const double eye_world[3],
+                        const ParityTolerance& tolerance) {
+  require_same_size(test, reference, "parity");
+  const Surface reference_surface = checked_surface(reference);
+  const Judge judge = {.test = checked_surface(test),
+                       .reference = reference_surface,
+                       .eye_world = eye_world,
+                       .tolerance = tolerance,
+                       .cosine_limit = std::cos(tolerance.normal_deg * std::numbers::pi / 180.0),
+                       .irradiance_slack = 1e-4 * largest_irradiance(reference_surface.primitive,
+                                                                     reference_surface.irradiance)};
+
+  Parity out;
+  out.width = test.width;
+  out.height = test.height;
+  out.classes.resize(test.pixel_count());
+  const TileGrid grid = {test.width, test.height, 64};
+  const std::vector<TileCounts> tiles =
+      for_each_tile<TileCounts>(grid, [&](const Tile& tile, TileCounts& counts) {
+        for (int y = tile.y0; y < tile.y1; ++y) {
+          const size_t row = static_cast<size_t>(y) * static_cast<size_t>(grid.width);
+          for (size_t i = row + static_cast<size_t>(tile.x0); i < row + static_cast<size_t>(tile.x1); ++i) {
+            out.classes[i] = classify(judge, i, counts);
+            ++counts.by_class[static_cast<size_t>(out.classes[i])];
+          }
+        }
+      });
+
+  std::array<size_t, 5> by_class{};
+  std::vector<float> depth_errors;
+  depth_errors.reserve(test.pixel_count());
+  for (const TileCounts& tile : tiles) {
+    for (size_t k = 0; k < by_class.size(); ++k) by_class[k] += tile.by_class[k];
+    out.same_primitive += tile.same_primitive;
+    depth_errors.insert(depth_errors.end(), tile.depth_errors.begin(), tile.depth_errors.end());
+  }
+  const auto count = [&](ParityClass kind) { return by_class[static_cast<size_t>(kind)]; };
+  out.covered = test.pixel_count() - count(ParityClass::background);
+  out.coverage_mismatch = count(ParityClass::coverage);
+  out.surface_mismatch = count(ParityClass::surface);
+  out.irradiance_mismatch = count(ParityClass::irradiance);
+  out.median_relative_depth_error = median(depth_errors);
+  if (out.covered > 0) {
+    out.agreement = static_cast<double>(count(ParityClass::agrees)) / static_cast<double>(out.covered);
+  } else {
+    out.agreement = 1.0;
+  }
+  out.passes = out.agreement >= tolerance.required_agreement;
+  return out;
+}
+
+std::vector<uint8_t> scored_mask(const Parity& parity, const Image& reference) {
+  if (parity.width != reference.width || parity.height != reference.height) {
+    fail_input(fmt::format("scored mask: parity is of {}x{} pixels, the reference of {}x{}", parity.width,
+                           parity.height, reference.width, reference.height));
+  }
+  const std::span<const float> irradiance = reference.plane("unshadowed_irradiance");
+  const float threshold = 1e-6f * largest_irradiance(reference.plane("primitive_id"), irradiance);
+  std::vector<uint8_t> mask(parity.classes.size());
+  for_each_row(reference.height, [&](int y) {
+    const size_t width = static_cast<size_t>(reference.width);
+    const size_t begin = static_cast<size_t>(y) * width;
+    for (size_t i = begin; i < begin + width; ++i) {
+      mask[i] = parity.classes[i] == ParityClass::agrees && irradiance[i] > threshold ? 1 : 0;
+    }
+  });
+  return mask;
+}
+
+}  // namespace umbrameter
