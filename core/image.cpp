@@ -4,6 +4,7 @@
 #include "core/names.h"
 
 #include <cmath>
+#include <utility>
 
 namespace umbrameter {
 

@@ -2,6 +2,8 @@
 
 #include "core/sampling/patterns.h"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
