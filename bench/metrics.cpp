@@ -1,0 +1,97 @@
+// Milliseconds a megapixel of each metric, on one and two threads, over a synthetic 1920x1080 pair.
+#include "metrics/parity.h"
+#include "metrics/visibility_error.h"
+
+#include <benchmark/benchmark.h>
+
+#include <oneapi/tbb/global_control.h>
+
+#include <chrono>
+#include <cmath>
+#include <random>
+
+namespace umbrameter {
+namespace {
+
+constexpr int kWidth = 1920;
+constexpr int kHeight = 1080;
+constexpr double kEye[3] = {0.0, 0.0, 0.0};
+
+// A floor with soft stripes of shadow, noise in the reference and a slightly shifted test.
+struct Pair {
+  Image test{kWidth, kHeight};
+  Image reference{kWidth, kHeight};
+  std::vector<uint8_t> mask = std::vector<uint8_t>(size_t{kWidth} * kHeight, 1);
+};
+
+void add_floor(Image& image) {
+  for (const char* zero : {"normal.x", "normal.z"}) image.add_plane(zero, 0.0f);
+  image.add_plane("normal.y", 1.0f);
+  image.add_plane("position.y", -1.0f);
+  image.add_plane("primitive_id", 0.0f);
+  image.add_plane("unshadowed_irradiance", 1.0f);
+  const std::span<float> x = image.add_plane("position.x");
+  const std::span<float> z = image.add_plane("position.z");
+  for (size_t i = 0; i < image.pixel_count(); ++i) {
+    x[i] = 0.01f * static_cast<float>(i % kWidth);
+    z[i] = -0.01f * static_cast<float>(i / kWidth);
+  }
+}
+
+Pair make_pair() {
+  Pair pair;
+  add_floor(pair.test);
+  add_floor(pair.reference);
+  std::mt19937 random(1);
+  std::normal_distribution<float> noise(0.0f, 0.01f);
+  const auto clamped = [](float v) { return std::min(1.0f, std::max(0.0f, v)); };
+  const std::span<float> v = pair.test.add_plane("visibility");
+  const std::span<float> r = pair.reference.add_plane("visibility");
+  const std::span<float> a = pair.reference.add_plane("half_a");
+  const std::span<float> b = pair.reference.add_plane("half_b");
+  pair.reference.add_plane("visibility_se", 0.007f);
+  for (size_t i = 0; i < v.size(); ++i) {
+    const float x = static_cast<float>(i % kWidth), y = static_cast<float>(i / kWidth);
+    const auto stripe = [&](float shift) {
+      return clamped(0.5f + (2.0f + y / 200.0f) * std::sin(0.03f * (x + shift)));
+    };
+    v[i] = stripe(2.0f);
+    a[i] = clamped(stripe(0.0f) + noise(random));
+    b[i] = clamped(stripe(0.0f) + noise(random));
+    r[i] = 0.5f * (a[i] + b[i]);
+  }
+  return pair;
+}
+
+const Pair& pair() {
+  static const Pair shared = make_pair();
+  return shared;
+}
+
+template <class Metric>
+void measure(benchmark::State& state, const Metric& metric) {
+  const oneapi::tbb::global_control limit(oneapi::tbb::global_control::max_allowed_parallelism,
+                                          static_cast<size_t>(state.range(0)));
+  const Pair& input = pair();
+  const auto start = std::chrono::steady_clock::now();
+  for (auto _ : state) benchmark::DoNotOptimize(metric(input));
+  const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
+  const double megapixels = static_cast<double>(input.test.pixel_count()) * 1e-6;
+  state.counters["ms_per_megapixel"] = elapsed.count() / static_cast<double>(state.iterations()) / megapixels;
+}
+
+void parity(benchmark::State& state) {
+  measure(state, [](const Pair& p) { return compare_surfaces(p.test, p.reference, kEye); });
+}
+
+void visibility_error(benchmark::State& state) {
+  measure(state, [](const Pair& p) { return measure_visibility_error(p.test, p.reference, p.mask); });
+}
+
+BENCHMARK(parity)->ArgName("threads")->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(visibility_error)->ArgName("threads")->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+}  // namespace
+}  // namespace umbrameter
+
+BENCHMARK_MAIN();
