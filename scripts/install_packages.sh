@@ -1,0 +1,21 @@
+#!/usr/bin/env bash
+# Installs what scripts/packages.txt lists, if something of it is missing. Safe to run again: then it does nothing.
+set -euo pipefail
+cd "$(dirname "$0")"
+
+mapfile -t wanted < <(grep -vE '^\s*(#|$)' packages.txt)
+missing=()
+for package in "${wanted[@]}"; do
+  dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'install ok installed' || missing+=("$package")
+done
+[ ${#missing[@]} -eq 0 ] && exit 0
+
+as_root=()
+if [ "$(id -u)" -ne 0 ]; then
+  command -v sudo >/dev/null || { echo "install_packages: run as root, or install these yourself: ${missing[*]}" >&2; exit 3; }
+  as_root=(sudo)
+fi
+echo "install_packages: ${#missing[@]} packages: ${missing[*]}"
+export DEBIAN_FRONTEND=noninteractive
+"${as_root[@]}" apt-get update -qq
+"${as_root[@]}" apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null

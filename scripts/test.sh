@@ -1,0 +1,13 @@
+#!/usr/bin/env bash
+# From a fresh Debian 12 machine to a tested tree: installs packages, builds, runs every test through CTest.
+# Real models are used when UMBRAMETER_ASSETS names their folder, or when ../shared/models exists.
+# Arguments are handed to ctest (for example: -L unit).
+set -euo pipefail
+cd "$(dirname "$0")/.."
+bash scripts/build.sh ci
+if [ -z "${UMBRAMETER_ASSETS:-}" ] && [ -d ../shared/models ]; then
+  UMBRAMETER_ASSETS=$(cd ../shared/models && pwd)
+  export UMBRAMETER_ASSETS
+fi
+[ -n "${UMBRAMETER_ASSETS:-}" ] || echo "test: no real models (set UMBRAMETER_ASSETS): their tests are skipped" >&2
+ctest --preset ci --parallel "$(nproc)" "$@"
