@@ -33,10 +33,10 @@ struct LightView {
 
 enum class LightFit { visible, scene };
 
-/// The view from the light's centre (sun: along its direction), its map plane parallel to rect and disk lights.
-/// `fit` visible: lateral bounds cover the receiver tiles plus the margin that penumbra searches reach into;
-/// scene: they cover all geometry in front of the light. Perspective bounds are limited to tan(80 deg); what
-/// falls outside counts as lit and is reported by the renderer.
+/// The view from the light's centre (sun: along its direction), its map plane parallel to rect and disk
+/// lights. `fit` visible: lateral bounds cover the receiver tiles plus the margin that penumbra searches
+/// reach into; scene: they cover all geometry in front of the light. Perspective bounds are limited to tan(80
+/// deg); what falls outside counts as lit and is reported by the renderer.
 LightView fit_center_view(const Scene& scene, std::span<const ReceiverTile> receivers, LightFit fit);
 
 /// The view from one point of the light (light_point(light, uv)), same plane, without a search margin.

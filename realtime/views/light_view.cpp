@@ -1,0 +1,205 @@
+#include "realtime/views/light_view.h"
+
+#include "realtime/views/lateral_bounds.h"
+#include "realtime/views/nearest_caster.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace umbrameter {
+namespace {
+
+/// Share of the extent added on each side, so that receivers at the rim stay inside after rounding and small
+/// filters find casters there.
+constexpr double kRimShare = 0.01;
+/// Smallest extent relative to the distance scale: a single point still gets a map.
+constexpr double kMinimumExtent = 1e-3;
+/// Nearest usable distance of a perspective view, relative to its farthest receiver.
+constexpr double kNearShare = 1e-4;
+
+struct LightFrame {
+  glm::dvec3 origin_world;
+  glm::dvec3 x_world, y_world, z_world;
+};
+
+/// A frame looking along `direction`, its x axis as close to `tangent` as it gets.
+LightFrame frame_along(const glm::dvec3& origin, const glm::dvec3& direction, const glm::dvec3& tangent) {
+  const glm::dvec3 z = glm::normalize(direction);
+  glm::dvec3 x = tangent - z * glm::dot(tangent, z);
+  if (glm::dot(x, x) < 1e-12) {
+    const glm::dvec3 other = std::abs(z.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+    x = other - z * glm::dot(other, z);
+  }
+  x = glm::normalize(x);
+  return {origin, x, glm::cross(z, x), z};
+}
+
+LightFrame frame_of_light(const Light& light, const glm::dvec3& origin) {
+  return {origin, light.tangent_world, light.bitangent_world, light.direction_world};
+}
+
+glm::dmat4 light_from_world(const LightFrame& frame) {
+  glm::dmat4 m(1.0);
+  const glm::dvec3 rows[3] = {frame.x_world, frame.y_world, frame.z_world};
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) m[column][row] = rows[row][column];
+    m[3][row] = -glm::dot(rows[row], frame.origin_world);
+  }
+  return m;
+}
+
+/// Reversed depth, zero to one: perspective n (f - z) / (z (f - n)), orthographic (f - z) / (f - n).
+glm::dmat4 clip_from_light(const LateralBounds& bounds, double near, double far, bool is_orthographic) {
+  const glm::dvec2 scale = 2.0 / (bounds.max - bounds.min);
+  const glm::dvec2 shift = -(bounds.max + bounds.min) / (bounds.max - bounds.min);
+  glm::dmat4 m(0.0);
+  m[0][0] = scale.x;
+  m[1][1] = scale.y;
+  if (is_orthographic) {
+    m[3] = glm::dvec4(shift, far / (far - near), 1.0);
+    m[2][2] = -1.0 / (far - near);
+  } else {
+    m[2] = glm::dvec4(shift, -near / (far - near), 1.0);
+    m[3][2] = near * far / (far - near);
+  }
+  return m;
+}
+
+LightView make_view(const LightFrame& frame, const LateralBounds& bounds, double near, double far,
+                    bool is_orthographic) {
+  LightView view;
+  view.light_from_world = glm::mat4(light_from_world(frame));
+  view.clip_from_light = glm::mat4(clip_from_light(bounds, near, far, is_orthographic));
+  view.lateral_bounds = glm::vec4(glm::vec2(bounds.min), glm::vec2(bounds.max));
+  view.near_world = static_cast<float>(near);
+  view.far_world = static_cast<float>(far);
+  view.is_orthographic = is_orthographic;
+  return view;
+}
+
+LateralBounds grown(const LateralBounds& bounds, const glm::dvec2& margin) {
+  return {bounds.min - margin, bounds.max + margin, bounds.near, bounds.far};
+}
+
+LateralBounds with_rim(const LateralBounds& bounds, double scale) {
+  const glm::dvec2 missing = glm::max(kMinimumExtent * scale - (bounds.max - bounds.min), 0.0);
+  return grown(bounds, 0.5 * missing + kRimShare * (bounds.max - bounds.min + missing));
+}
+
+LateralBounds limited(LateralBounds bounds) {
+  bounds.min = glm::clamp(bounds.min, -kTanLimit, kTanLimit);
+  bounds.max = glm::clamp(bounds.max, -kTanLimit, kTanLimit);
+  return bounds;
+}
+
+std::vector<ReceiverTile> tiles_to_cover(const Scene& scene, std::span<const ReceiverTile> receivers,
+                                         LightFit fit) {
+  if (fit == LightFit::visible && !receivers.empty()) return {receivers.begin(), receivers.end()};
+  return {{glm::vec3(scene.bounds_world.min), glm::vec3(scene.bounds_world.max)}};
+}
+
+/// Bounds of everything in front of the light; a unit square one unit ahead when nothing is.
+LateralBounds perspective_bounds(const glm::dmat4& from_world, std::span<const ReceiverTile> tiles) {
+  const LateralBounds bounds = bound_perspective(from_world, tiles);
+  if (bounds.empty()) return {glm::dvec2(-0.5), glm::dvec2(0.5), 0.5, 1.0};
+  return limited(with_rim(bounds, 1.0));
+}
+
+glm::dvec2 light_half_extent(const Light& light) {
+  return light.type == LightType::rect ? 0.5 * light.size_world : glm::dvec2(light.radius_world);
+}
+
+LightView fit_perspective_center(const Scene& scene, const LightFrame& frame,
+                                 std::span<const ReceiverTile> tiles) {
+  const glm::dmat4 from_world = light_from_world(frame);
+  const LateralBounds receivers = perspective_bounds(from_world, tiles);
+  const double far = receivers.far * (1.0 + kMinimumExtent);
+  const double floor = kNearShare * far;
+
+  // Blockers of a receiver at distance z lie within h (1/z_blocker - 1/z) of it, h the light's half extent.
+  const glm::dvec2 limit = 0.5 * (receivers.max - receivers.min);
+  const double widest_near =
+      nearest_caster_perspective(scene, from_world, limited(grown(receivers, limit)), floor, far);
+  const glm::dvec2 margin = light_half_extent(scene.light()) * (1.0 / widest_near - 1.0 / far);
+  const LateralBounds bounds = limited(grown(receivers, glm::min(margin, limit)));
+
+  const double near = nearest_caster_perspective(scene, from_world, bounds, floor, far);
+  return make_view(frame, bounds, near * (1.0 - kNearShare), far, false);
+}
+
+/// Moves the origin of a sun's frame to the plane through the scene's nearest caster, laterally to its
+/// middle.
+LightFrame sun_frame(const Scene& scene, const glm::dvec3& direction, const glm::dvec3& tangent) {
+  const glm::dvec3 middle = 0.5 * (scene.bounds_world.min + scene.bounds_world.max);
+  LightFrame frame = frame_along(middle, direction, tangent);
+  const ReceiverTile all{glm::vec3(scene.bounds_world.min), glm::vec3(scene.bounds_world.max)};
+  frame.origin_world += frame.z_world * bound_orthographic(light_from_world(frame), {&all, 1}).near;
+  return frame;
+}
+
+LightView fit_sun(const Scene& scene, std::span<const ReceiverTile> tiles, const LightFrame& frame,
+                  double tan_half_angle) {
+  const glm::dmat4 from_world = light_from_world(frame);
+  const double scale = std::max(scene.bounds_world.diagonal(), 1e-30);
+  const LateralBounds receivers = with_rim(bound_orthographic(from_world, tiles), scale);
+  const double far = receivers.far + kMinimumExtent * scale;
+  if (tan_half_angle <= 0.0) return make_view(frame, receivers, -kMinimumExtent * scale, far, true);
+
+  const LateralBounds bounds = grown(receivers, glm::dvec2(far * tan_half_angle));
+  const double near = nearest_caster_orthographic(scene, from_world, bounds, far);
+  return make_view(frame, bounds, near - 1e-6 * scale, far, true);
+}
+
+glm::dvec3 middle_of(std::span<const ReceiverTile> tiles) {
+  glm::dvec3 low(tiles.front().min_world), high(tiles.front().max_world);
+  for (const ReceiverTile& tile : tiles) {
+    low = glm::min(low, glm::dvec3(tile.min_world));
+    high = glm::max(high, glm::dvec3(tile.max_world));
+  }
+  return 0.5 * (low + high);
+}
+
+}  // namespace
+
+LightView fit_center_view(const Scene& scene, std::span<const ReceiverTile> receivers, LightFit fit) {
+  const Light& light = scene.light();
+  const std::vector<ReceiverTile> tiles = tiles_to_cover(scene, receivers, fit);
+  if (light.type == LightType::sun) {
+    const LightFrame frame = sun_frame(scene, light.direction_world, light.tangent_world);
+    return fit_sun(scene, tiles, frame, std::tan(light.half_angle_rad));
+  }
+  LightFrame frame = frame_of_light(light, light.center_world);
+  if (light.type == LightType::sphere) {
+    const glm::dvec3 to_receivers = middle_of(tiles) - light.center_world;
+    if (glm::length(to_receivers) > 0.0) {
+      frame = frame_along(light.center_world, to_receivers, light.tangent_world);
+    }
+  }
+  return fit_perspective_center(scene, frame, tiles);
+}
+
+LightView fit_sample_view(const Scene& scene, std::span<const ReceiverTile> receivers, LightFit fit,
+                          const glm::dvec2& light_uv) {
+  const Light& light = scene.light();
+  const std::vector<ReceiverTile> tiles = tiles_to_cover(scene, receivers, fit);
+  const glm::dvec3 point = light_point(light, light_uv);
+  if (light.type == LightType::sun) {
+    return fit_sun(scene, tiles, sun_frame(scene, -point, light.tangent_world), 0.0);
+  }
+  // Casters in front of the near plane still cast: scene passes clamp depth. So the box is enough here, and a
+  // loop over thousands of samples stays cheap.
+  const LightFrame frame = frame_of_light(light, point);
+  const LateralBounds bounds = perspective_bounds(light_from_world(frame), tiles);
+  const double far = bounds.far * (1.0 + kMinimumExtent);
+  return make_view(frame, bounds, std::max(1e-2 * bounds.near, kNearShare * far), far, false);
+}
+
+glm::dvec3 lateral_and_distance(const LightView& view, const glm::dvec3& p_world) {
+  const glm::dvec3 p_light(glm::dmat4(view.light_from_world) * glm::dvec4(p_world, 1.0));
+  if (view.is_orthographic) return p_light;
+  return {p_light.x / p_light.z, p_light.y / p_light.z, p_light.z};
+}
+
+}  // namespace umbrameter
