@@ -1,0 +1,110 @@
+#include "report/report.h"
+
+#include "core/files.h"
+#include "report/assets.h"
+#include "report/html.h"
+#include "report/scene_section.h"
+#include "report/table.h"
+#include "study/pictures.h"
+#include "study/results_json.h"
+
+#include <fmt/format.h>
+
+#include <set>
+
+namespace umbrameter {
+namespace {
+
+std::string css(const Rgb8& colour) {
+  return fmt::format("rgb({},{},{})", colour[0], colour[1], colour[2]);
+}
+
+std::string swatch(const Rgb8& colour, std::string_view text) {
+  return fmt::format("<li><span class=\"swatch\" style=\"background:{}\"></span>{}</li>", css(colour),
+                     escape_html(text));
+}
+
+std::string legend() {
+  const std::string ramp = fmt::format("linear-gradient(to right,{},{},{})", css(kTooDarkColour),
+                                       css(kNoErrorColour), css(kTooBrightColour));
+  std::string html = fmt::format(
+      "<p>Visibility: grey, byte = 255 V; black sees nothing of the light, white all of it.</p>"
+      "<p>Signed error V - R, the same scale everywhere; beyond it the colour is clipped and the share is "
+      "stated:</p><div class=\"ramp\" style=\"background:{0}\" role=\"img\" aria-label=\"blue too dark, "
+      "white no "
+      "error, red too bright\"></div><div class=\"ramp-ends\"><span>-{1} too "
+      "dark</span><span>0</span><span>+{1} "
+      "too bright</span></div><ul class=\"swatches\">",
+      ramp, kSignedErrorScale);
+  html += swatch(kBackgroundColour, "nothing hit") + swatch(kUnscoredColour, "not scored");
+  html += "</ul><p>Parity:</p><ul class=\"swatches\">";
+  for (const ParityLegend& entry : parity_legend()) html += swatch(entry.colour, entry.text);
+  return html + "</ul>";
+}
+
+std::string skipped_list(const Results& results) {
+  if (results.skipped.empty()) return "<p>Nothing was skipped.</p>";
+  std::vector<std::string> texts;
+  for (const Skip& skip : results.skipped) {
+    texts.push_back(fmt::format("{}{}{}: {}", skip.scene, skip.technique.empty() ? "" : ", ", skip.technique,
+                                skip.reason));
+  }
+  return "<ul>" + list_items(texts) + "</ul>";
+}
+
+std::string devices(const Results& results) {
+  std::set<std::string> names;
+  for (const SceneResult& scene : results.scenes) {
+    if (scene.reference) names.insert(scene.reference->device);
+    for (const TechniqueResult& run : scene.techniques) {
+      if (run.device.empty()) continue;
+      names.insert(run.timer.empty() ? run.device : run.device + ", timed by " + run.timer);
+    }
+  }
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : "; ") + name;
+  return text;
+}
+
+std::string context(const Results& results) {
+  const std::string target =
+      results.target_se ? fmt::format(", until standard error {}", *results.target_se) : "";
+  return fmt::format("umbrameter {} ({}); quality {}, {} x {} px, {} samples a pixel{}, seed {}; {}",
+                     results.version, results.commit, results.quality, results.width_px, results.height_px,
+                     results.samples_per_pixel, target, results.seed, devices(results));
+}
+
+std::string verdict(const Results& results) {
+  std::string html;
+  for (const Failure& failure : all_failures(results)) {
+    html += fmt::format("<p class=\"problem\">Failed: {}</p>", escape_html(failure.message));
+  }
+  if (!parity_passes(results)) {
+    html +=
+        "<p class=\"problem\">The two renderers disagree on at least one scene; its numbers are void.</p>";
+  }
+  return html;
+}
+
+}  // namespace
+
+std::string report_html(const Results& results, const std::filesystem::path& folder) {
+  std::string scenes;
+  for (size_t i = 0; i < results.scenes.size(); ++i) scenes += scene_section(results, i, folder);
+  return fill_template(report_asset("page.html"), {{"style", std::string(report_asset("page.css"))},
+                                                   {"script", std::string(report_asset("page.js"))},
+                                                   {"context", escape_html(context(results))},
+                                                   {"verdict", verdict(results)},
+                                                   {"rows", summary_rows(results)},
+                                                   {"legend", legend()},
+                                                   {"skipped", skipped_list(results)},
+                                                   {"scenes", scenes}});
+}
+
+void write_report(const std::filesystem::path& folder, const std::filesystem::path& html_file) {
+  const std::filesystem::path results_file = folder / "results.json";
+  const Results results = parse_results(read_file(results_file), results_file.string());
+  write_file_atomically(html_file, report_html(results, folder));
+}
+
+}  // namespace umbrameter

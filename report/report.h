@@ -1,0 +1,19 @@
+#pragma once
+// A results folder -> one HTML file that needs no network: pictures are inside, numbers carry their context.
+
+#include "study/results.h"
+
+#include <filesystem>
+#include <string>
+
+namespace umbrameter {
+
+/// The page of `results`, whose picture files lie in `folder`. Error{input} when one is missing. Every number
+/// in the table has its full precision in a data-value attribute.
+std::string report_html(const Results& results, const std::filesystem::path& folder);
+
+/// Reads `folder`/results.json and writes `html_file` atomically. Error{input} for a missing or malformed
+/// one.
+void write_report(const std::filesystem::path& folder, const std::filesystem::path& html_file);
+
+}  // namespace umbrameter

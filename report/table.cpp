@@ -1,0 +1,75 @@
+#include "report/table.h"
+
+#include "report/html.h"
+#include "study/format.h"
+
+#include <fmt/format.h>
+
+namespace umbrameter {
+namespace {
+
+/// A number that sorts by its full-precision value; absent ones sort last.
+std::string number_cell(std::string_view column, const std::optional<double>& value,
+                        const std::string& text) {
+  const std::string data = value ? fmt::format("{}", *value) : "";
+  return fmt::format("<td class=\"number\" data-column=\"{}\" data-value=\"{}\">{}</td>", column, data,
+                     escape_html(text));
+}
+
+std::optional<double> value_of(const std::optional<Interval>& interval) {
+  return interval ? std::optional(interval->value) : std::nullopt;
+}
+
+std::string error_cells(const VisibilityError& error) {
+  const auto penumbra = region_rmse(error.penumbra);
+  return number_cell("rmse", value_of(error.rmse), format_interval(error.rmse)) +
+         number_cell("bias", error.bias, format_signed_error(error.bias)) +
+         number_cell("over_shadowing", error.over_shadowing, format_error(error.over_shadowing)) +
+         number_cell("under_shadowing", error.under_shadowing, format_error(error.under_shadowing)) +
+         number_cell("penumbra_rmse", penumbra, format_error(penumbra)) +
+         number_cell("penumbra_share", error.penumbra.share, format_share(error.penumbra.share));
+}
+
+std::string missing_cells(const SceneResult& scene, const TechniqueResult& run) {
+  std::string reason = "not compared";
+  if (run.failure)
+    reason = run.failure->message;
+  else if (scene.parity && !scene.parity->passes)
+    reason = "void: parity fails";
+  else if (scene.failure)
+    reason = scene.failure->message;
+  return fmt::format("<td colspan=\"6\" class=\"problem\">{}</td>", escape_html(reason));
+}
+
+std::string row(const SceneResult& scene, const std::string& anchor, const TechniqueResult& run) {
+  const auto total = total_time(run.pass_times);
+  const auto total_ms = total ? std::optional(total->median_ms) : std::nullopt;
+  const auto memory =
+      run.memory_bytes > 0 ? std::optional(static_cast<double>(run.memory_bytes)) : std::nullopt;
+  return fmt::format(
+             "<tr data-scene=\"{0}\" data-technique=\"{1}\"><th scope=\"row\"><a "
+             "href=\"#{2}\">{0}</a></th><td>{1}</td>",
+             escape_html(scene.name), escape_html(run.label), anchor) +
+         (run.error ? error_cells(*run.error) : missing_cells(scene, run)) +
+         number_cell("total_ms", total_ms, format_time(total)) +
+         number_cell("memory_bytes", memory, memory ? format_bytes(run.memory_bytes) : kNotApplicable) +
+         "</tr>\n";
+}
+
+}  // namespace
+
+std::string scene_anchor(size_t scene_index) {
+  return fmt::format("scene-{}", scene_index + 1);
+}
+
+std::string summary_rows(const Results& results) {
+  std::string rows;
+  for (size_t i = 0; i < results.scenes.size(); ++i) {
+    for (const TechniqueResult& run : results.scenes[i].techniques) {
+      rows += row(results.scenes[i], scene_anchor(i), run);
+    }
+  }
+  return rows;
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,46 @@
+#include "study/format.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace umbrameter {
+
+std::string format_error(const std::optional<double>& value) {
+  return value ? fmt::format("{:.5f}", *value) : kNotApplicable;
+}
+
+std::string format_signed_error(const std::optional<double>& value) {
+  return value ? fmt::format("{:+.5f}", *value) : kNotApplicable;
+}
+
+std::string format_interval(const std::optional<Interval>& interval) {
+  if (!interval) return kNotApplicable;
+  return fmt::format("{:.5f} [{:.5f}, {:.5f}]", interval->value, interval->low, interval->high);
+}
+
+std::string format_time(const std::optional<PassTime>& time) {
+  if (!time) return kNotApplicable;
+  return fmt::format("{:.3f} ± {:.3f} ms ({} frame{})", time->median_ms, time->mad_ms, time->frames,
+                     time->frames == 1 ? "" : "s");
+}
+
+std::string format_bytes(uint64_t bytes) {
+  return fmt::format("{:.1f} MiB", static_cast<double>(bytes) / (1024.0 * 1024.0));
+}
+
+std::string format_share(double share) {
+  return fmt::format("{:.3f} %", std::floor(share * 1e5) / 1e3);
+}
+
+std::string format_parity(const ParityNumbers& parity) {
+  return fmt::format(
+      "agreement {} of {} covered pixels (needs {}): {}; disagreeing: {} coverage, {} surface, {} "
+      "irradiance; "
+      "median relative depth error {:.2g}",
+      format_share(parity.agreement), parity.covered, format_share(parity.required_agreement),
+      parity.passes ? "passes" : "FAILS, so no number of this scene counts", parity.coverage_mismatch,
+      parity.surface_mismatch, parity.irradiance_mismatch, parity.median_relative_depth_error);
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,55 @@
+#include "study/results.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace umbrameter {
+
+ParityNumbers parity_numbers(const Parity& parity, double required_agreement) {
+  ParityNumbers numbers;
+  numbers.covered = parity.covered;
+  numbers.coverage_mismatch = parity.coverage_mismatch;
+  numbers.surface_mismatch = parity.surface_mismatch;
+  numbers.irradiance_mismatch = parity.irradiance_mismatch;
+  numbers.same_primitive = parity.same_primitive;
+  numbers.median_relative_depth_error = parity.median_relative_depth_error;
+  numbers.agreement = parity.agreement;
+  numbers.required_agreement = required_agreement;
+  numbers.passes = parity.passes;
+  return numbers;
+}
+
+std::optional<PassTime> total_time(const std::vector<PassTime>& pass_times) {
+  if (pass_times.empty()) return std::nullopt;
+  PassTime total{.pass = "total", .frames = pass_times.front().frames};
+  for (const PassTime& time : pass_times) {
+    total.median_ms += time.median_ms;
+    total.mad_ms += time.mad_ms;
+    total.frames = std::min(total.frames, time.frames);
+  }
+  return total;
+}
+
+std::optional<double> region_rmse(const RegionError& region) {
+  if (region.pixels == 0) return std::nullopt;
+  return std::copysign(std::sqrt(std::abs(region.mse)), region.mse);
+}
+
+bool parity_passes(const Results& results) {
+  return std::all_of(results.scenes.begin(), results.scenes.end(),
+                     [](const SceneResult& scene) { return !scene.parity || scene.parity->passes; });
+}
+
+std::vector<Failure> all_failures(const Results& results) {
+  std::vector<Failure> failures;
+  for (const SceneResult& scene : results.scenes) {
+    if (scene.failure) failures.push_back({scene.failure->kind, scene.name + ": " + scene.failure->message});
+    for (const TechniqueResult& run : scene.techniques) {
+      if (!run.failure) continue;
+      failures.push_back({run.failure->kind, scene.name + ", " + run.label + ": " + run.failure->message});
+    }
+  }
+  return failures;
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,120 @@
+#pragma once
+// What a validation found, as plain data: the model behind results.json (docs/results.md), the terminal table
+// and the report. Not here: files (study/results_json.h) and how the numbers come about (study/validation.h).
+
+#include "core/error.h"
+#include "core/renderer.h"
+#include "metrics/parity.h"
+#include "metrics/visibility_error.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace umbrameter {
+
+/// Something that was left out on purpose. `technique` is empty when a whole scene was skipped.
+struct Skip {
+  std::string scene;
+  std::string technique;
+  std::string reason;
+};
+
+/// Why a run has no result: the text and kind of the Error it ended with.
+struct Failure {
+  ErrorKind kind = ErrorKind::internal;
+  std::string message;
+};
+
+/// Parity without its per-pixel classes.
+struct ParityNumbers {
+  size_t covered = 0;
+  size_t coverage_mismatch = 0;
+  size_t surface_mismatch = 0;
+  size_t irradiance_mismatch = 0;
+  size_t same_primitive = 0;
+  double median_relative_depth_error = 0.0;
+  double agreement = 0.0;
+  double required_agreement = 0.0;
+  bool passes = false;
+  std::string picture_file;
+};
+
+ParityNumbers parity_numbers(const Parity& parity, double required_agreement);
+
+struct ReferenceResult {
+  std::string device;
+  double wall_time_s = 0.0;
+  double mean_visibility_se = 0.0;  // over covered pixels; 0 when there are none
+  double max_visibility_se = 0.0;
+  double mean_sample_count = 0.0;
+  std::vector<std::string> warnings;
+  std::string image_file;    // EXR; file names are relative to the results folder
+  std::string picture_file;  // PNG
+};
+
+/// One technique with one parameter set on one scene. `error` is absent when the run failed, when parity
+/// voids the scene, or when the reference failed.
+struct TechniqueResult {
+  std::string label;      // unique in its scene
+  std::string technique;  // id
+  std::string title;
+  std::string hash;  // of the technique's manifest and shaders
+  ParameterValues parameters;
+  std::optional<Failure> failure;
+  std::optional<VisibilityError> error;
+  double clipped_share = 0.0;  // of scored pixels, beyond the error picture's scale
+  std::vector<PassTime> pass_times;
+  std::string timer;
+  std::string device;
+  uint64_t memory_bytes = 0;
+  double wall_time_s = 0.0;
+  std::vector<std::string> warnings;
+  std::string image_file;
+  std::string picture_file;
+  std::string error_picture_file;
+};
+
+struct SceneResult {
+  std::string name;
+  std::string title;
+  std::string doc;
+  std::string hash;
+  std::string light_name;
+  std::string light_type;
+  uint64_t triangles = 0;
+  std::vector<std::string> warnings;
+  std::optional<Failure> failure;  // the reference, the G-buffer or the comparison failed
+  std::optional<ReferenceResult> reference;
+  std::optional<ParityNumbers> parity;
+  std::vector<TechniqueResult> techniques;
+};
+
+struct Results {
+  std::string version;
+  std::string commit;
+  std::string quality;
+  int width_px = 0;
+  int height_px = 0;
+  uint64_t seed = 0;
+  int samples_per_pixel = 0;
+  std::optional<double> target_se;
+  std::vector<SceneResult> scenes;
+  std::vector<Skip> skipped;
+};
+
+/// Time of a whole frame: the sum of the passes' medians, the sum of their MADs (an upper bound of the
+/// frame's own MAD) and the fewest frames any pass was timed over. Absent when nothing was timed.
+std::optional<PassTime> total_time(const std::vector<PassTime>& pass_times);
+
+/// Root of a region's mse with its sign; absent for a region without pixels.
+std::optional<double> region_rmse(const RegionError& region);
+
+/// True when every scene that was compared passes parity.
+bool parity_passes(const Results& results);
+
+/// Every failure, as "scene: message" or "scene, technique: message".
+std::vector<Failure> all_failures(const Results& results);
+
+}  // namespace umbrameter

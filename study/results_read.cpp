@@ -1,0 +1,177 @@
+#include "study/results_json.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+namespace umbrameter {
+namespace {
+
+using Json = nlohmann::json;
+
+template <class T>
+std::optional<T> read_optional(const Json& json) {
+  return json.is_null() ? std::nullopt : std::optional<T>(json.get<T>());
+}
+
+std::optional<Interval> read_interval(const Json& json) {
+  if (json.is_null()) return std::nullopt;
+  return Interval{json.at("value"), json.at("low"), json.at("high")};
+}
+
+RegionError read_region(const Json& json) {
+  return {json.at("pixels"), json.at("share"), json.at("mse"), json.at("bias")};
+}
+
+std::optional<VisibilityError> read_error(const Json& json) {
+  if (json.is_null()) return std::nullopt;
+  VisibilityError error;
+  error.scored_pixels = json.at("scored_pixels");
+  error.mse = read_interval(json.at("mse"));
+  error.rmse = read_interval(json.at("rmse"));
+  error.mae = read_optional<double>(json.at("mae"));
+  error.bias = read_optional<double>(json.at("bias"));
+  error.over_shadowing = read_optional<double>(json.at("over_shadowing"));
+  error.under_shadowing = read_optional<double>(json.at("under_shadowing"));
+  error.noise_floor_mse = read_optional<double>(json.at("noise_floor_mse"));
+  error.max_error = read_optional<double>(json.at("max_error"));
+  error.lit = read_region(json.at("lit"));
+  error.umbra = read_region(json.at("umbra"));
+  error.penumbra = read_region(json.at("penumbra"));
+  return error;
+}
+
+ErrorKind read_kind(const std::string& text) {
+  if (text == "input") return ErrorKind::input;
+  if (text == "environment") return ErrorKind::environment;
+  if (text == "cancelled") return ErrorKind::cancelled;
+  return ErrorKind::internal;
+}
+
+std::optional<Failure> read_failure(const Json& json) {
+  if (json.is_null()) return std::nullopt;
+  return Failure{read_kind(json.at("kind")), json.at("message")};
+}
+
+ParameterValue read_value(const Json& json) {
+  if (json.is_boolean()) return json.get<bool>();
+  if (json.is_number_integer()) return json.get<int64_t>();
+  if (json.is_number()) return json.get<double>();
+  return json.get<std::string>();
+}
+
+ParameterValues read_parameters(const Json& json) {
+  ParameterValues values;
+  for (const auto& [name, value] : json.items()) values[name] = read_value(value);
+  return values;
+}
+
+std::vector<PassTime> read_times(const Json& json) {
+  std::vector<PassTime> times;
+  for (const Json& time : json) {
+    times.push_back({time.at("pass"), time.at("median_ms"), time.at("mad_ms"), time.at("frames")});
+  }
+  return times;
+}
+
+TechniqueResult read_technique(const Json& json) {
+  TechniqueResult run;
+  run.label = json.at("label");
+  run.technique = json.at("technique");
+  run.title = json.at("title");
+  run.hash = json.at("hash");
+  run.parameters = read_parameters(json.at("parameters"));
+  run.failure = read_failure(json.at("failure"));
+  run.error = read_error(json.at("error"));
+  run.clipped_share = json.at("clipped_share");
+  run.pass_times = read_times(json.at("pass_times"));
+  run.timer = json.at("timer");
+  run.device = json.at("device");
+  run.memory_bytes = json.at("memory_bytes");
+  run.wall_time_s = json.at("wall_time_s");
+  run.warnings = json.at("warnings").get<std::vector<std::string>>();
+  run.image_file = json.at("image_file");
+  run.picture_file = json.at("picture_file");
+  run.error_picture_file = json.at("error_picture_file");
+  return run;
+}
+
+std::optional<ReferenceResult> read_reference(const Json& json) {
+  if (json.is_null()) return std::nullopt;
+  ReferenceResult reference;
+  reference.device = json.at("device");
+  reference.wall_time_s = json.at("wall_time_s");
+  reference.mean_visibility_se = json.at("mean_visibility_se");
+  reference.max_visibility_se = json.at("max_visibility_se");
+  reference.mean_sample_count = json.at("mean_sample_count");
+  reference.warnings = json.at("warnings").get<std::vector<std::string>>();
+  reference.image_file = json.at("image_file");
+  reference.picture_file = json.at("picture_file");
+  return reference;
+}
+
+std::optional<ParityNumbers> read_parity(const Json& json) {
+  if (json.is_null()) return std::nullopt;
+  ParityNumbers parity;
+  parity.passes = json.at("passes");
+  parity.agreement = json.at("agreement");
+  parity.required_agreement = json.at("required_agreement");
+  parity.covered = json.at("covered");
+  parity.coverage_mismatch = json.at("coverage_mismatch");
+  parity.surface_mismatch = json.at("surface_mismatch");
+  parity.irradiance_mismatch = json.at("irradiance_mismatch");
+  parity.same_primitive = json.at("same_primitive");
+  parity.median_relative_depth_error = json.at("median_relative_depth_error");
+  parity.picture_file = json.at("picture_file");
+  return parity;
+}
+
+SceneResult read_scene(const Json& json) {
+  SceneResult scene;
+  scene.name = json.at("name");
+  scene.title = json.at("title");
+  scene.doc = json.at("doc");
+  scene.hash = json.at("hash");
+  scene.light_name = json.at("light").at("name");
+  scene.light_type = json.at("light").at("type");
+  scene.triangles = json.at("triangles");
+  scene.warnings = json.at("warnings").get<std::vector<std::string>>();
+  scene.failure = read_failure(json.at("failure"));
+  scene.reference = read_reference(json.at("reference"));
+  scene.parity = read_parity(json.at("parity"));
+  for (const Json& run : json.at("techniques")) scene.techniques.push_back(read_technique(run));
+  return scene;
+}
+
+Results read_results(const Json& json) {
+  Results results;
+  results.version = json.at("version");
+  results.commit = json.at("commit");
+  results.quality = json.at("quality");
+  results.width_px = json.at("width_px");
+  results.height_px = json.at("height_px");
+  results.seed = json.at("seed");
+  results.samples_per_pixel = json.at("samples_per_pixel");
+  results.target_se = read_optional<double>(json.at("target_se"));
+  for (const Json& scene : json.at("scenes")) results.scenes.push_back(read_scene(scene));
+  for (const Json& skip : json.at("skipped")) {
+    results.skipped.push_back({skip.at("scene"), skip.at("technique"), skip.at("reason")});
+  }
+  return results;
+}
+
+}  // namespace
+
+Results parse_results(std::string_view text, const std::string& file) {
+  try {
+    const Json json = Json::parse(text);
+    const int schema = json.at("schema");
+    if (schema == kResultsSchema) return read_results(json);
+    fail_input(fmt::format("results of schema {}; this version reads {}", schema, kResultsSchema), {file},
+               "run 'umbrameter validate' again");
+  } catch (const nlohmann::json::exception& error) {  // a foreign exception becomes ours here
+    fail_input(fmt::format("not a results file: {}", error.what()), {file});
+  }
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,182 @@
+#include "study/results_json.h"
+
+#include <nlohmann/json.hpp>
+
+namespace umbrameter {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class T>
+Json optional_json(const std::optional<T>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json interval_json(const std::optional<Interval>& interval) {
+  if (!interval) return nullptr;
+  return {{"value", interval->value}, {"low", interval->low}, {"high", interval->high}};
+}
+
+Json region_json(const RegionError& region) {
+  return {{"pixels", region.pixels},
+          {"share", region.share},
+          {"mse", region.mse},
+          {"rmse", optional_json(region_rmse(region))},
+          {"bias", region.bias}};
+}
+
+Json error_json(const VisibilityError& error) {
+  return {{"scored_pixels", error.scored_pixels},
+          {"mse", interval_json(error.mse)},
+          {"rmse", interval_json(error.rmse)},
+          {"mae", optional_json(error.mae)},
+          {"bias", optional_json(error.bias)},
+          {"over_shadowing", optional_json(error.over_shadowing)},
+          {"under_shadowing", optional_json(error.under_shadowing)},
+          {"noise_floor_mse", optional_json(error.noise_floor_mse)},
+          {"max_error", optional_json(error.max_error)},
+          {"lit", region_json(error.lit)},
+          {"umbra", region_json(error.umbra)},
+          {"penumbra", region_json(error.penumbra)}};
+}
+
+std::string_view kind_text(ErrorKind kind) {
+  switch (kind) {
+    case ErrorKind::input:
+      return "input";
+    case ErrorKind::environment:
+      return "environment";
+    case ErrorKind::cancelled:
+      return "cancelled";
+    case ErrorKind::internal:
+      break;
+  }
+  return "internal";
+}
+
+Json failure_json(const std::optional<Failure>& failure) {
+  if (!failure) return nullptr;
+  return {{"kind", kind_text(failure->kind)}, {"message", failure->message}};
+}
+
+Json parameters_json(const ParameterValues& parameters) {
+  Json object = Json::object();
+  for (const auto& [name, value] : parameters) {
+    std::visit([&](const auto& held) { object[name] = held; }, value);
+  }
+  return object;
+}
+
+Json times_json(const std::vector<PassTime>& times) {
+  Json list = Json::array();
+  for (const PassTime& time : times) {
+    list.push_back({{"pass", time.pass},
+                    {"median_ms", time.median_ms},
+                    {"mad_ms", time.mad_ms},
+                    {"frames", time.frames}});
+  }
+  return list;
+}
+
+Json technique_json(const TechniqueResult& run) {
+  return {{"label", run.label},
+          {"technique", run.technique},
+          {"title", run.title},
+          {"hash", run.hash},
+          {"parameters", parameters_json(run.parameters)},
+          {"failure", failure_json(run.failure)},
+          {"error", run.error ? error_json(*run.error) : Json(nullptr)},
+          {"clipped_share", run.clipped_share},
+          {"pass_times", times_json(run.pass_times)},
+          {"timer", run.timer},
+          {"device", run.device},
+          {"memory_bytes", run.memory_bytes},
+          {"wall_time_s", run.wall_time_s},
+          {"warnings", run.warnings},
+          {"image_file", run.image_file},
+          {"picture_file", run.picture_file},
+          {"error_picture_file", run.error_picture_file}};
+}
+
+Json reference_json(const std::optional<ReferenceResult>& reference) {
+  if (!reference) return nullptr;
+  return {{"device", reference->device},
+          {"wall_time_s", reference->wall_time_s},
+          {"mean_visibility_se", reference->mean_visibility_se},
+          {"max_visibility_se", reference->max_visibility_se},
+          {"mean_sample_count", reference->mean_sample_count},
+          {"warnings", reference->warnings},
+          {"image_file", reference->image_file},
+          {"picture_file", reference->picture_file}};
+}
+
+Json parity_json(const std::optional<ParityNumbers>& parity) {
+  if (!parity) return nullptr;
+  return {{"passes", parity->passes},
+          {"agreement", parity->agreement},
+          {"required_agreement", parity->required_agreement},
+          {"covered", parity->covered},
+          {"coverage_mismatch", parity->coverage_mismatch},
+          {"surface_mismatch", parity->surface_mismatch},
+          {"irradiance_mismatch", parity->irradiance_mismatch},
+          {"same_primitive", parity->same_primitive},
+          {"median_relative_depth_error", parity->median_relative_depth_error},
+          {"picture_file", parity->picture_file}};
+}
+
+Json scene_json(const SceneResult& scene) {
+  Json techniques = Json::array();
+  for (const TechniqueResult& run : scene.techniques) techniques.push_back(technique_json(run));
+  return {{"name", scene.name},
+          {"title", scene.title},
+          {"doc", scene.doc},
+          {"hash", scene.hash},
+          {"light", {{"name", scene.light_name}, {"type", scene.light_type}}},
+          {"triangles", scene.triangles},
+          {"warnings", scene.warnings},
+          {"failure", failure_json(scene.failure)},
+          {"reference", reference_json(scene.reference)},
+          {"parity", parity_json(scene.parity)},
+          {"techniques", techniques}};
+}
+
+/// Text from drivers and file names need not be UTF-8; a replacement character is better than a throw.
+std::string dump(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+std::string to_json_text(const Results& results) {
+  Json scenes = Json::array();
+  for (const SceneResult& scene : results.scenes) scenes.push_back(scene_json(scene));
+  Json skipped = Json::array();
+  for (const Skip& skip : results.skipped) {
+    skipped.push_back({{"scene", skip.scene}, {"technique", skip.technique}, {"reason", skip.reason}});
+  }
+  return dump({{"schema", kResultsSchema},
+               {"version", results.version},
+               {"commit", results.commit},
+               {"quality", results.quality},
+               {"width_px", results.width_px},
+               {"height_px", results.height_px},
+               {"seed", results.seed},
+               {"samples_per_pixel", results.samples_per_pixel},
+               {"target_se", optional_json(results.target_se)},
+               {"parity_passes", parity_passes(results)},
+               {"scenes", scenes},
+               {"skipped", skipped}});
+}
+
+std::string to_json_text(const Score& score, const std::string& test_file,
+                         const std::string& reference_file) {
+  const ParityNumbers numbers = parity_numbers(score.parity, ParityTolerance{}.required_agreement);
+  Json parity = parity_json(score.has_surfaces ? std::optional(numbers) : std::nullopt);
+  if (!parity.is_null()) parity.erase("picture_file");
+  return dump({{"test", test_file},
+               {"reference", reference_file},
+               {"parity", parity},
+               {"error", score.error ? error_json(*score.error) : Json(nullptr)}});
+}
+
+}  // namespace umbrameter

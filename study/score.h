@@ -1,0 +1,38 @@
+#pragma once
+// Parity and visibility error of one image against the reference; what `validate` and `score` both ask.
+
+#include "core/image.h"
+#include "metrics/parity.h"
+#include "metrics/visibility_error.h"
+
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace umbrameter {
+
+/// `error` is absent when parity fails: such a comparison says nothing.
+struct Score {
+  bool has_surfaces = false;  // whether the test image brought what parity needs
+  Parity parity;  // without surfaces: the reference against itself, so it only finds the background
+  std::vector<uint8_t> mask;  // scored pixels; empty when parity fails
+  std::optional<VisibilityError> error;
+};
+
+/// The image with its visibility under that name. Accepts `visibility`, `Y`, a single channel of any name, or
+/// R of an image whose R, G and B are equal; Error{input} listing the channels otherwise.
+Image with_visibility(Image image);
+
+/// True when `image` has all channels that compare_surfaces needs.
+bool has_surfaces(const Image& image);
+
+/// Eye position that add_metadata stored; Error{input} when it is missing or malformed.
+glm::dvec3 eye_of(const Image& reference);
+
+/// Scores `test` (see with_visibility) where its surfaces agree with the reference's. Error{input} for size
+/// mismatch, missing reference channels, NaN and values outside [0,1].
+Score score_image(const Image& test, const Image& reference, const glm::dvec3& eye_world);
+
+}  // namespace umbrameter

@@ -1,0 +1,62 @@
+#pragma once
+// Scenes x techniques: render the truth once a scene, gate on parity, score every technique, write the
+// pictures. Sees only Renderer&.
+
+#include "core/renderer.h"
+#include "scenes/scene.h"
+#include "study/results.h"
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace umbrameter {
+
+/// One technique with one parameter set, as chosen by the user.
+struct TechniqueRun {
+  std::string technique;  // RenderRequest::technique: id or folder
+  std::string id;
+  std::string label;  // unique in the plan
+  std::string title;
+  std::string hash;
+  ParameterValues parameters;
+  std::vector<LightType> lights;  // supported
+};
+
+/// A loaded scene under the name the user knows it by.
+struct SceneJob {
+  std::string name;  // unique in the plan
+  Scene scene;
+};
+
+struct ValidationPlan {
+  std::string quality;
+  int width_px = 960;
+  int height_px = 540;
+  uint64_t seed = 1;
+  int samples_per_pixel = 1024;     // what the reference renderer was made with; recorded
+  std::optional<double> target_se;  // likewise
+  int timed_frames = 9;             // wanted; fewer when they would exceed the budget, never fewer than 1
+  double timing_budget_s = 3.0;     // a technique and scene
+  std::vector<TechniqueRun> techniques;
+};
+
+struct Renderers {
+  Renderer& reference;
+  Renderer& realtime;
+};
+
+/// Called after each scene, for a line on the terminal.
+using SceneDone = std::function<void(const SceneResult&)>;
+
+/// Runs everything; a run that throws is recorded and the rest goes on (Error{cancelled} passes through, and
+/// so does a failure to write). Images and pictures go into `folder`/<scene>/. Results carry version and
+/// commit.
+Results run_validation(std::span<const SceneJob> scenes, const ValidationPlan& plan, Renderers renderers,
+                       const std::filesystem::path& folder, Progress& progress,
+                       const SceneDone& scene_done = {});
+
+}  // namespace umbrameter
