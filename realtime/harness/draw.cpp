@@ -1,0 +1,22 @@
+#include "realtime/harness/draw.h"
+
+namespace umbrameter {
+
+void set_default_state() {
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_GREATER);
+  glDepthMask(GL_TRUE);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  for (const GLenum capability : {GL_CULL_FACE, GL_BLEND, GL_DEPTH_CLAMP, GL_SCISSOR_TEST, GL_DITHER}) {
+    glDisable(capability);
+  }
+}
+
+void draw_fullscreen(const VertexArray& empty_vertex_array) {
+  glDisable(GL_DEPTH_TEST);
+  glBindVertexArray(empty_vertex_array.id());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glEnable(GL_DEPTH_TEST);
+}
+
+}  // namespace umbrameter

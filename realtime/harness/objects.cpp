@@ -1,0 +1,131 @@
+#include "realtime/harness/objects.h"
+
+#include "realtime/harness/debug_log.h"
+
+#include <vector>
+
+namespace umbrameter {
+
+void destroy_texture(GLuint id) {
+  glDeleteTextures(1, &id);
+}
+void destroy_framebuffer(GLuint id) {
+  glDeleteFramebuffers(1, &id);
+}
+void destroy_buffer(GLuint id) {
+  glDeleteBuffers(1, &id);
+}
+void destroy_sampler(GLuint id) {
+  glDeleteSamplers(1, &id);
+}
+void destroy_vertex_array(GLuint id) {
+  glDeleteVertexArrays(1, &id);
+}
+void destroy_query(GLuint id) {
+  glDeleteQueries(1, &id);
+}
+void destroy_program(GLuint id) {
+  glDeleteProgram(id);
+}
+
+namespace {
+
+GLenum wrap_mode(std::string_view wrap) {
+  if (wrap == "border") return GL_CLAMP_TO_BORDER;
+  if (wrap == "clamp") return GL_CLAMP_TO_EDGE;
+  UMBRAMETER_ASSERT(wrap == "repeat", "wrap is '{}'", wrap);
+  return GL_REPEAT;
+}
+
+}  // namespace
+
+Buffer::Buffer(size_t bytes, const void* data, bool is_updatable) : bytes_(bytes) {
+  UMBRAMETER_ASSERT(bytes > 0, "a buffer of {} bytes", bytes);
+  GLuint id = 0;
+  glCreateBuffers(1, &id);
+  handle_ = GlHandle<destroy_buffer>(id);
+  const std::vector<char> zeros(data == nullptr ? bytes : 0);
+  glNamedBufferStorage(id, static_cast<GLsizeiptr>(bytes), data == nullptr ? zeros.data() : data,
+                       is_updatable ? GL_DYNAMIC_STORAGE_BIT : 0);
+  require_gl_memory("a buffer", bytes);
+}
+
+void Buffer::update(const void* data, size_t bytes, size_t offset) {
+  UMBRAMETER_ASSERT(offset + bytes <= bytes_, "{} bytes at {} of {}", bytes, offset, bytes_);
+  glNamedBufferSubData(id(), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes), data);
+}
+
+void bind_uniform_buffer(GLuint binding, const Buffer& buffer) {
+  glBindBufferBase(GL_UNIFORM_BUFFER, binding, buffer.id());
+}
+
+void bind_storage_buffer(GLuint binding, const Buffer& buffer) {
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffer.id());
+}
+
+Sampler::Sampler(const SamplerSettings& settings) {
+  GLuint id = 0;
+  glCreateSamplers(1, &id);
+  handle_ = GlHandle<destroy_sampler>(id);
+  const auto set = [id](GLenum name, GLenum value) {
+    glSamplerParameteri(id, name, static_cast<GLint>(value));
+  };
+  set(GL_TEXTURE_MIN_FILTER, settings.linear ? GL_LINEAR : GL_NEAREST);
+  set(GL_TEXTURE_MAG_FILTER, settings.linear ? GL_LINEAR : GL_NEAREST);
+  set(GL_TEXTURE_WRAP_S, wrap_mode(settings.wrap));
+  set(GL_TEXTURE_WRAP_T, wrap_mode(settings.wrap));
+  glSamplerParameterfv(id, GL_TEXTURE_BORDER_COLOR, &settings.border.x);
+  if (!settings.compare) return;
+  set(GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+  set(GL_TEXTURE_COMPARE_FUNC, GL_GEQUAL);
+}
+
+void bind_texture(GLuint unit, const Texture& texture, const Sampler& sampler) {
+  glBindTextureUnit(unit, texture.id());
+  glBindSampler(unit, sampler.id());
+}
+
+Framebuffer::Framebuffer(std::span<const Texture* const> colors, const Texture* depth) {
+  UMBRAMETER_ASSERT(!colors.empty() || depth != nullptr, "{} attachments", colors.size());
+  const Texture& first = colors.empty() ? *depth : *colors.front();
+  width_ = first.width();
+  height_ = first.height();
+  GLuint id = 0;
+  glCreateFramebuffers(1, &id);
+  handle_ = GlHandle<destroy_framebuffer>(id);
+  std::vector<GLenum> draw_buffers;
+  for (const Texture* color : colors) {
+    UMBRAMETER_ASSERT(color->width() == width_ && color->height() == height_, "{}x{} beside {}x{}",
+                      color->width(), color->height(), width_, height_);
+    const GLenum attachment = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(draw_buffers.size());
+    glNamedFramebufferTexture(id, attachment, color->id(), 0);
+    draw_buffers.push_back(attachment);
+  }
+  if (draw_buffers.empty()) {
+    glNamedFramebufferDrawBuffer(id, GL_NONE);
+  } else {
+    glNamedFramebufferDrawBuffers(id, static_cast<GLsizei>(draw_buffers.size()), draw_buffers.data());
+  }
+  if (depth != nullptr) glNamedFramebufferTexture(id, GL_DEPTH_ATTACHMENT, depth->id(), 0);
+  const GLenum status = glCheckNamedFramebufferStatus(id, GL_DRAW_FRAMEBUFFER);
+  UMBRAMETER_ASSERT(status == GL_FRAMEBUFFER_COMPLETE, "framebuffer status 0x{:x}", status);
+}
+
+void Framebuffer::bind() const {
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, id());
+  glViewport(0, 0, width_, height_);
+}
+
+VertexArray make_empty_vertex_array() {
+  GLuint id = 0;
+  glCreateVertexArrays(1, &id);
+  return VertexArray(id);
+}
+
+Query make_query(GLenum target) {
+  GLuint id = 0;
+  glCreateQueries(target, 1, &id);
+  return Query(id);
+}
+
+}  // namespace umbrameter

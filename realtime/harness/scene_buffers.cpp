@@ -1,0 +1,51 @@
+#include "realtime/harness/scene_buffers.h"
+
+namespace umbrameter {
+
+namespace {
+
+constexpr float kNoNormal = 0.0f;
+
+VertexArray make_indexed_vertex_array(const Buffer& positions, const Buffer& triangles) {
+  VertexArray array = make_empty_vertex_array();
+  glEnableVertexArrayAttrib(array.id(), 0);
+  glVertexArrayAttribFormat(array.id(), 0, 3, GL_FLOAT, GL_FALSE, 0);
+  glVertexArrayAttribBinding(array.id(), 0, 0);
+  glVertexArrayVertexBuffer(array.id(), 0, positions.id(), 0, sizeof(glm::vec3));
+  glVertexArrayElementBuffer(array.id(), triangles.id());
+  return array;
+}
+
+}  // namespace
+
+SceneBuffers::SceneBuffers(const Scene& scene)
+    : positions_(Buffer::of(std::span(scene.positions_world))),
+      triangles_(Buffer::of(std::span(scene.triangles))),
+      normals_(scene.normals_world.empty() ? Buffer(sizeof(float), &kNoNormal)
+                                           : Buffer::of(std::span(scene.normals_world))),
+      indexed_(make_indexed_vertex_array(positions_, triangles_)),
+      pulled_(make_empty_vertex_array()),
+      triangle_count_(scene.triangles.size()),
+      has_normals_(!scene.normals_world.empty()) {}
+
+void SceneBuffers::draw() const {
+  glBindVertexArray(indexed_.id());
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * triangle_count_), GL_UNSIGNED_INT, nullptr);
+}
+
+void SceneBuffers::draw_pulled() const {
+  glBindVertexArray(pulled_.id());
+  glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(3 * triangle_count_));
+}
+
+void SceneBuffers::bind_storage() const {
+  bind_storage_buffer(kPositionsBinding, positions_);
+  bind_storage_buffer(kTrianglesBinding, triangles_);
+  bind_storage_buffer(kNormalsBinding, normals_);
+}
+
+size_t SceneBuffers::bytes() const {
+  return positions_.bytes() + triangles_.bytes() + normals_.bytes();
+}
+
+}  // namespace umbrameter
