@@ -16,8 +16,8 @@ struct ReferenceSettings {
   int threads = 0;  // 0 = all
 };
 
-/// Independently scrambled Sobol sets per pixel: 4 make half A, 4 make half B; their spread gives the standard
-/// error (7 degrees of freedom).
+/// Independently scrambled Sobol sets per pixel: 4 make half A, 4 make half B; their spread gives the
+/// standard error (7 degrees of freedom).
 inline constexpr int kReplicates = 8;
 
 /// A Renderer over Embree; builds its acceleration structure per scene and keeps the last one.

@@ -1,0 +1,88 @@
+#include "reference/blocker_probe.h"
+
+#include "reference/reference.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace umbrameter {
+
+namespace {
+
+struct Crossing {
+  uint32_t primitive;
+  float at;
+};
+
+/// Embree hands the context to the filter, which finds its list behind it.
+struct CollectingContext {
+  RTCIntersectContext embree;  // first: Embree's pointer is ours
+  std::vector<Crossing> crossings;
+};
+
+/// Notes the hit and refuses it, so that the ray goes on.
+void collect_crossing(const RTCFilterFunctionNArguments* arguments) {
+  if (arguments->valid[0] == 0) return;
+  auto* context = reinterpret_cast<CollectingContext*>(arguments->context);
+  context->crossings.push_back(
+      {RTCHitN_primID(arguments->hit, arguments->N, 0), RTCRayN_tfar(arguments->ray, arguments->N, 0)});
+  arguments->valid[0] = 0;
+}
+
+RTCRay ray_of_lane(const glm::vec3& origin_world, const ShadowRayBatch& batch, uint32_t lane) {
+  RTCRay ray{};
+  ray.org_x = origin_world.x;
+  ray.org_y = origin_world.y;
+  ray.org_z = origin_world.z;
+  ray.dir_x = batch.direction_x[lane];
+  ray.dir_y = batch.direction_y[lane];
+  ray.dir_z = batch.direction_z[lane];
+  ray.tfar = batch.end[lane];
+  ray.mask = ~0u;
+  return ray;
+}
+
+/// The tree may hold a triangle in several leaves and report it once for each.
+void drop_repeats(std::vector<Crossing>& crossings) {
+  std::sort(crossings.begin(), crossings.end(),
+            [](const Crossing& a, const Crossing& b) { return a.primitive < b.primitive; });
+  const auto same = [](const Crossing& a, const Crossing& b) { return a.primitive == b.primitive; };
+  crossings.erase(std::unique(crossings.begin(), crossings.end(), same), crossings.end());
+}
+
+}  // namespace
+
+BlockerStatistics probe_blockers(const EmbreeScene& embree, const glm::vec3& origin_world,
+                                 const LightPatch& patch, const SampleSets& sets, uint32_t seed) {
+  ShadowRayBatch batch;
+  make_shadow_rays(patch, sets.stream(seed, kReplicates), 0, batch);
+  CollectingContext context;
+  rtcInitIntersectContext(&context.embree);
+  context.embree.filter = collect_crossing;
+
+  BlockerStatistics sum;
+  double nearest = std::numeric_limits<double>::infinity();
+  int blocked = 0;
+  for (uint32_t i = 0; i < std::min(kProbes, sets.points()); ++i) {
+    if (batch.is_facing[i] == 0) continue;
+    RTCRay ray = ray_of_lane(origin_world, batch, i);
+    context.crossings.clear();
+    rtcOccluded1(embree.handle(), &context.embree, &ray);
+    drop_repeats(context.crossings);
+    if (context.crossings.empty()) continue;
+    const auto first = std::min_element(context.crossings.begin(), context.crossings.end(),
+                                        [](const Crossing& a, const Crossing& b) { return a.at < b.at; });
+    const double length = std::hypot(batch.direction_x[i], batch.direction_y[i], batch.direction_z[i]);
+    const double distance = static_cast<double>(first->at) * length;
+    nearest = std::min(nearest, distance);
+    sum.distance_mean_world += distance;
+    sum.layers_mean += static_cast<double>(context.crossings.size());
+    ++blocked;
+  }
+  if (blocked == 0) return {};
+  return {sum.distance_mean_world / blocked, nearest, sum.layers_mean / blocked};
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,23 @@
+#pragma once
+// What stands between a shadowed receiver and the light: distances and layers, from a few probe rays.
+
+#include "reference/embree_scene.h"
+#include "reference/light_patch.h"
+#include "reference/sample_sets.h"
+
+namespace umbrameter {
+
+inline constexpr uint32_t kProbes = kBatch;
+
+/// Definitions in reference/reference.h; all 0 when no probe is blocked.
+struct BlockerStatistics {
+  double distance_mean_world = 0.0;
+  double distance_min_world = 0.0;
+  double layers_mean = 0.0;
+};
+
+/// Shoots kProbes rays of a set that no visibility sample uses.
+BlockerStatistics probe_blockers(const EmbreeScene& embree, const glm::vec3& origin_world,
+                                 const LightPatch& patch, const SampleSets& sets, uint32_t seed);
+
+}  // namespace umbrameter

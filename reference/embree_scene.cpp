@@ -1,0 +1,82 @@
+#include "reference/embree_scene.h"
+
+#include "core/error.h"
+#include "core/hash.h"
+
+#include <cstring>
+
+namespace umbrameter {
+
+namespace {
+
+std::string hash_of_triangles(const Scene& scene) {
+  return Hasher()
+      .values(std::span(scene.positions_world))
+      .values(std::span(scene.triangles))
+      .number(static_cast<double>(scene.positions_world.size()))
+      .hex();
+}
+
+bool count_memory(void* total, ssize_t bytes, bool) {
+  static_cast<std::atomic<int64_t>*>(total)->fetch_add(bytes, std::memory_order_relaxed);
+  return true;
+}
+
+template <class T>
+void copy_buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, const std::vector<T>& items) {
+  void* to = rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(T), items.size());
+  if (to != nullptr && !items.empty()) std::memcpy(to, items.data(), items.size() * sizeof(T));
+}
+
+int widest_packet(RTCDevice device) {
+  if (rtcGetDeviceProperty(device, RTC_DEVICE_PROPERTY_NATIVE_RAY8_SUPPORTED) != 0) return 8;
+  return 4;
+}
+
+}  // namespace
+
+EmbreeScene::EmbreeScene(int threads) {
+  const std::string config = threads > 0 ? fmt::format("threads={}", threads) : std::string();
+  device_.reset(rtcNewDevice(config.c_str()));
+  if (!device_) {
+    fail_environment(fmt::format("Embree could not start a device (error {})",
+                                 static_cast<int>(rtcGetDeviceError(nullptr))),
+                     "it needs an x86-64 processor with SSE2");
+  }
+  rtcSetDeviceMemoryMonitorFunction(device_.get(), count_memory, &memory_bytes_);
+  packet_width_ = widest_packet(device_.get());
+}
+
+void EmbreeScene::load(const Scene& scene) {
+  const std::string hash = hash_of_triangles(scene);
+  if (scene_ && hash == loaded_hash_) return;
+  scene_.reset(rtcNewScene(device_.get()));
+  loaded_hash_.clear();
+  rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
+  rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_HIGH);
+  if (!scene.triangles.empty()) {
+    RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
+    copy_buffer(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, scene.positions_world);
+    copy_buffer(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, scene.triangles);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(scene_.get(), geometry);
+    rtcReleaseGeometry(geometry);
+  }
+  rtcCommitScene(scene_.get());
+  throw_on_error("building the acceleration structure");
+  loaded_hash_ = hash;
+}
+
+std::string EmbreeScene::version() const {
+  const auto number = rtcGetDeviceProperty(device_.get(), RTC_DEVICE_PROPERTY_VERSION);
+  return fmt::format("{}.{}.{}", number / 10000, number / 100 % 100, number % 100);
+}
+
+void EmbreeScene::throw_on_error(const char* doing) const {
+  const RTCError error = rtcGetDeviceError(device_.get());
+  if (error == RTC_ERROR_NONE) return;
+  if (error == RTC_ERROR_OUT_OF_MEMORY) fail_environment(fmt::format("out of memory while {}", doing));
+  throw Error(ErrorKind::internal, fmt::format("Embree error {} while {}", static_cast<int>(error), doing));
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,53 @@
+#pragma once
+// Embree's device and acceleration structure as one owned thing. Not here: what the rays mean.
+
+#include "scenes/scene.h"
+
+#include <embree3/rtcore.h>
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <type_traits>
+
+namespace umbrameter {
+
+template <auto Release>
+struct EmbreeRelease {
+  template <class Handle>
+  void operator()(Handle* handle) const {
+    Release(handle);
+  }
+};
+using EmbreeDeviceHandle = std::unique_ptr<std::remove_pointer_t<RTCDevice>, EmbreeRelease<rtcReleaseDevice>>;
+using EmbreeSceneHandle = std::unique_ptr<std::remove_pointer_t<RTCScene>, EmbreeRelease<rtcReleaseScene>>;
+
+/// One merged, robustly traversed triangle geometry; Embree's primID is the scene's triangle index.
+/// Owns copies of the vertices, so the Scene may go away.
+class EmbreeScene {
+ public:
+  /// Starts a device for `threads` build threads (0 = all). Error{environment} when Embree cannot start.
+  explicit EmbreeScene(int threads);
+
+  /// Makes `scene` the one that rays meet; does nothing when its triangles are those it holds already.
+  /// Error{environment} when memory runs out, Error{internal} for any other Embree error.
+  void load(const Scene& scene);
+
+  RTCScene handle() const { return scene_.get(); }
+  /// Lanes of the widest shadow-ray packet the device runs natively: 16, 8 or 4.
+  int packet_width() const { return packet_width_; }
+  uint64_t memory_bytes() const { return static_cast<uint64_t>(memory_bytes_.load()); }
+  std::string version() const;
+
+ private:
+  void throw_on_error(const char* doing) const;
+
+  std::atomic<int64_t> memory_bytes_{0};
+  EmbreeDeviceHandle device_;  // before scene_: released after it
+  EmbreeSceneHandle scene_;
+  std::string loaded_hash_;
+  int packet_width_ = 4;
+};
+
+}  // namespace umbrameter

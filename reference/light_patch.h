@@ -1,0 +1,70 @@
+#pragma once
+// A light as one ray origin sees it: a flat patch, square or round, over which many shadow rays are made at
+// once. What a light is and how it weighs comes from scenes/light.h, which the patch is fitted to; tests
+// compare both.
+
+#include "reference/sample_sets.h"
+#include "scenes/light.h"
+
+#include <glm/vec3.hpp>
+
+#include <array>
+#include <cstdint>
+
+namespace umbrameter {
+
+/// A linear form over the patch: center + a * per_a + b * per_b.
+struct PatchForm {
+  float center = 0.0f;
+  float per_a = 0.0f;
+  float per_b = 0.0f;
+};
+
+/// Patch coordinates (a, b) lie in [-1,1]^2, or in the unit disk when `round`.
+struct LightPatch {
+  bool dark = false;  // no light from here at all: behind a one-sided light, or inside a sphere
+  bool round = false;
+  glm::vec3 center{0.0f};  // from the ray origin to the patch's centre; the sun's patch is at distance 1
+  glm::vec3 per_a{0.0f};
+  glm::vec3 per_b{0.0f};
+  PatchForm above_surface;  // positive where the sample is above the receiver's geometric plane
+  PatchForm shading;        // shading normal . unnormalised direction
+  float strength = 0.0f;    // irradiance weight = strength * shading / length^falloff
+  bool at_infinity = false;
+  float sphere_radius_world = 0.0f;  // > 0: rays end on the sphere, not on the patch
+  float end_fraction = 1.0f;         // rays end at this fraction of the way: 1 less rounding error
+};
+
+/// The receiver of light: a point, its normals, and where its shadow rays start.
+struct Receiver {
+  glm::dvec3 p_world{0.0};
+  glm::dvec3 n_geometric_world{0.0};
+  glm::dvec3 n_shading_world{0.0};
+  glm::vec3 ray_origin_world{0.0f};
+};
+
+/// `scene_extent_world` bounds the coordinates of the scene; it scales the rounding error of ray ends.
+LightPatch make_light_patch(const Light& light, const Receiver& receiver, double scene_extent_world);
+
+/// True when no point of the light is above the receiver's geometric plane: visibility is 0, exactly.
+bool is_below_horizon(const LightPatch& patch);
+/// True when no point of the light has a positive shading cosine.
+bool is_unlit(const LightPatch& patch);
+
+inline constexpr uint32_t kBatch = 16;
+
+/// Rays through kBatch samples. `direction` is not unit: the sample lies at 1, the ray ends at `end`.
+struct alignas(64) ShadowRayBatch {
+  std::array<float, kBatch> direction_x;
+  std::array<float, kBatch> direction_y;
+  std::array<float, kBatch> direction_z;
+  std::array<float, kBatch> end;
+  std::array<float, kBatch> weight;       // irradiance weight
+  std::array<int32_t, kBatch> is_facing;  // -1 above the receiver's geometric plane, else 0
+};
+
+/// Fills `batch` with samples first .. first + kBatch - 1 of `stream`.
+void make_shadow_rays(const LightPatch& patch, const SampleStream& stream, uint32_t first,
+                      ShadowRayBatch& batch);
+
+}  // namespace umbrameter

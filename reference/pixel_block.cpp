@@ -1,0 +1,80 @@
+#include "reference/pixel_block.h"
+
+#include "reference/shadow_sampler.h"
+
+#include <algorithm>
+#include <array>
+
+namespace umbrameter {
+
+namespace {
+
+struct Pixel {
+  size_t index = 0;
+  uint32_t seed = 0;
+  glm::vec3 ray_origin_world{0.0f};
+  LightPatch patch;
+  PixelSums sums;
+};
+
+struct Block {
+  std::array<Pixel, kBlock * kBlock> pixels;
+  size_t count = 0;
+  std::span<Pixel> used() { return {pixels.data(), count}; }
+};
+
+/// Writes what is known without sampling; leaves the pixels that light can reach.
+Block shoot_primary(const BlockJob& job, int x0, int y0, ReferencePlanes& planes) {
+  Block block;
+  for (int y = y0; y < std::min(y0 + kBlock, planes.height()); ++y) {
+    for (int x = x0; x < std::min(x0 + kBlock, planes.width()); ++x) {
+      const std::optional<PrimaryHit> hit = job.camera.hit(job.embree, x, y);
+      if (!hit) continue;
+      const uint32_t index = static_cast<uint32_t>(y * planes.width() + x);
+      planes.write_surface(index, *hit);
+      const LightPatch patch = make_light_patch(job.light, hit->receiver, job.scene_extent_world);
+      if (is_below_horizon(patch) && is_unlit(patch)) {
+        planes.write_light(index, {}, {});
+        continue;
+      }
+      block.pixels[block.count++] = {
+          index, pixel_seed(job.seed, index), hit->receiver.ray_origin_world, patch, {}};
+    }
+  }
+  return block;
+}
+
+bool is_settled(const BlockJob& job, const Pixel& pixel) {
+  if (is_below_horizon(pixel.patch)) return true;
+  return job.target_se && estimate_pixel(pixel.sums).visibility_se <= *job.target_se;
+}
+
+void sample_block(const BlockJob& job, Block& block) {
+  uint32_t points = job.target_se ? std::min(kFirstRound, job.sets.points()) : job.sets.points();
+  for (;;) {
+    for (Pixel& pixel : block.used()) {
+      sample_pixel(job.embree, pixel.ray_origin_world, pixel.patch, job.sets, pixel.seed, points, pixel.sums);
+    }
+    const auto settled = [&](const Pixel& pixel) { return is_settled(job, pixel); };
+    if (points == job.sets.points() || std::ranges::all_of(block.used(), settled)) return;
+    points = std::min(2 * points, job.sets.points());
+  }
+}
+
+}  // namespace
+
+void render_block(const BlockJob& job, int x0, int y0, ReferencePlanes& planes) {
+  Block block = shoot_primary(job, x0, y0, planes);
+  sample_block(job, block);
+  for (const Pixel& pixel : block.used()) {
+    PixelEstimate estimate = estimate_pixel(pixel.sums);
+    if (is_below_horizon(pixel.patch)) estimate.visibility_se = 0.0;
+    BlockerStatistics blockers;
+    if (estimate.visibility < 1.0) {
+      blockers = probe_blockers(job.embree, pixel.ray_origin_world, pixel.patch, job.sets, pixel.seed);
+    }
+    planes.write_light(pixel.index, estimate, blockers);
+  }
+}
+
+}  // namespace umbrameter

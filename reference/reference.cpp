@@ -1,0 +1,140 @@
+#include "reference/reference.h"
+
+#include "core/error.h"
+#include "reference/embree_scene.h"
+#include "reference/pixel_block.h"
+#include "reference/primary_hit.h"
+#include "reference/reference_planes.h"
+#include "reference/sample_sets.h"
+#include "scenes/scene.h"
+
+#include <tbb/blocked_range2d.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace umbrameter {
+
+namespace {
+
+constexpr int kMaxSide = 16384;
+constexpr int kTile = 4 * kBlock;  // pixels; the grain of threads and of progress
+
+int checked_points(const ReferenceSettings& settings) {
+  constexpr int kMaxSamples = 1 << 20;
+  if (settings.samples_per_pixel < 1 || settings.samples_per_pixel > kMaxSamples) {
+    fail_input(fmt::format("samples_per_pixel is {}", settings.samples_per_pixel), {},
+               fmt::format("choose 1 to {}", kMaxSamples));
+  }
+  if (settings.target_se && !(*settings.target_se > 0.0 && *settings.target_se < 1.0)) {
+    fail_input(fmt::format("target_se is {}", *settings.target_se), {}, "choose a number between 0 and 1");
+  }
+  if (settings.threads < 0) fail_input(fmt::format("threads is {}", settings.threads), {}, "0 means all");
+  return (settings.samples_per_pixel + kReplicates - 1) / kReplicates;
+}
+
+void require_valid(const Scene& scene, const RenderRequest& request) {
+  const auto is_bad = [](int side) { return side < 1 || side > kMaxSide; };
+  if (is_bad(request.width_px) || is_bad(request.height_px)) {
+    fail_input(fmt::format("resolution is {}x{}", request.width_px, request.height_px), {},
+               fmt::format("each side is 1 to {}", kMaxSide));
+  }
+  if (scene.active_light >= scene.lights.size()) {
+    fail_input(
+        fmt::format("light {} is chosen but the scene has {}", scene.active_light, scene.lights.size()),
+        scene.source);
+  }
+}
+
+double extent_of(const Scene& scene) {
+  if (scene.bounds_world.empty()) return 0.0;
+  const glm::dvec3 reach = glm::max(glm::abs(scene.bounds_world.min), glm::abs(scene.bounds_world.max));
+  return std::max({reach.x, reach.y, reach.z, scene.bounds_world.diagonal()});
+}
+
+int tiles_across(int side_px) {
+  return (side_px + kTile - 1) / kTile;
+}
+
+void render_tile(const BlockJob& job, int tile_x, int tile_y, ReferencePlanes& planes) {
+  const int x_end = std::min((tile_x + 1) * kTile, planes.width());
+  const int y_end = std::min((tile_y + 1) * kTile, planes.height());
+  for (int y = tile_y * kTile; y < y_end; y += kBlock) {
+    for (int x = tile_x * kTile; x < x_end; x += kBlock) render_block(job, x, y, planes);
+  }
+}
+
+void warn_of_missed_target(const Image& image, double target_se, std::vector<std::string>& warnings) {
+  const auto se = image.plane("visibility_se");
+  const auto missed = std::ranges::count_if(se, [&](float v) { return static_cast<double>(v) > target_se; });
+  if (missed == 0) return;
+  warnings.push_back(
+      fmt::format("{} pixels kept a standard error above {} at the sample limit", missed, target_se));
+}
+
+class ReferenceRenderer final : public Renderer {
+ public:
+  explicit ReferenceRenderer(const ReferenceSettings& settings)
+      : settings_(settings),
+        sets_(static_cast<uint32_t>(checked_points(settings))),
+        arena_(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic),
+        embree_(settings.threads) {
+    arena_.initialize();
+  }
+
+  Frame render(const Scene& scene, const RenderRequest& request, Progress& progress) override {
+    const auto start = std::chrono::steady_clock::now();
+    require_valid(scene, request);
+    arena_.execute([&] { embree_.load(scene); });
+
+    Frame frame;
+    frame.image = Image(request.width_px, request.height_px);
+    ReferencePlanes planes(frame.image);
+    const PrimaryCamera camera(scene, request.width_px, request.height_px);
+    const BlockJob job{scene.light(),      embree_, camera, sets_, request.seed, extent_of(scene),
+                       settings_.target_se};
+    render_tiles(job, planes, progress);
+
+    if (settings_.target_se) warn_of_missed_target(frame.image, *settings_.target_se, frame.warnings);
+    frame.device = fmt::format("Embree {}, {} threads", embree_.version(), arena_.max_concurrency());
+    frame.memory_bytes = embree_.memory_bytes();
+    frame.wall_time_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return frame;
+  }
+
+ private:
+  void render_tiles(const BlockJob& job, ReferencePlanes& planes, Progress& progress) {
+    const int columns = tiles_across(planes.width());
+    const int rows = tiles_across(planes.height());
+    progress.begin("reference", static_cast<uint64_t>(columns) * static_cast<uint64_t>(rows));
+    arena_.execute([&] {
+      tbb::parallel_for(tbb::blocked_range2d<int>(0, rows, 1, 0, columns, 1), [&](const auto& range) {
+        for (int y = range.rows().begin(); y < range.rows().end(); ++y) {
+          for (int x = range.cols().begin(); x < range.cols().end(); ++x) {
+            render_tile(job, x, y, planes);
+            progress.advance(1);
+          }
+        }
+      });
+    });
+    progress.end();
+  }
+
+  ReferenceSettings settings_;
+  SampleSets sets_;
+  tbb::task_arena arena_;
+  EmbreeScene embree_;
+};
+
+}  // namespace
+
+std::unique_ptr<Renderer> make_reference_renderer(const ReferenceSettings& settings) {
+  return std::make_unique<ReferenceRenderer>(settings);
+}
+
+}  // namespace umbrameter

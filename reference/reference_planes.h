@@ -1,0 +1,38 @@
+#pragma once
+// The channels a reference frame has (core/renderer.h), written pixel by pixel from any thread.
+
+#include "core/image.h"
+#include "reference/blocker_probe.h"
+#include "reference/primary_hit.h"
+#include "reference/shadow_sampler.h"
+
+namespace umbrameter {
+
+class ReferencePlanes {
+ public:
+  /// Adds the channels to `image`, every pixel set to background.
+  explicit ReferencePlanes(Image& image);
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+
+  void write_surface(size_t pixel, const PrimaryHit& hit);
+  void write_light(size_t pixel, const PixelEstimate& estimate, const BlockerStatistics& blockers);
+
+ private:
+  using Plane = std::span<float>;
+  struct Vector {
+    Plane x, y, z;
+    void write(size_t pixel, const glm::dvec3& value);
+  };
+  static Vector add_vector(Image& image, const std::string& name);
+
+  int width_;
+  int height_;
+  Vector position_, normal_, shading_normal_;
+  Plane primitive_id_, unshadowed_irradiance_;
+  Plane visibility_, visibility_se_, half_a_, half_b_, irradiance_ratio_, sample_count_;
+  Plane blocker_distance_, blocker_distance_min_, blocker_layers_;
+};
+
+}  // namespace umbrameter

@@ -1,0 +1,44 @@
+#pragma once
+// Shadow rays of one pixel: tracing them in packets, and what their sums say.
+
+#include "reference/embree_scene.h"
+#include "reference/light_patch.h"
+#include "reference/reference.h"
+#include "reference/sample_sets.h"
+
+#include <array>
+#include <cstdint>
+
+namespace umbrameter {
+
+/// Sums over the samples of one replicate.
+struct ReplicateSums {
+  uint32_t seen = 0;
+  double weight = 0.0;
+  double weight_seen = 0.0;
+};
+
+/// All replicates of one pixel, each with `points` samples so far.
+struct PixelSums {
+  uint32_t points = 0;
+  std::array<ReplicateSums, kReplicates> replicates;
+};
+
+/// What a pixel's sums estimate; definitions in reference/reference.h.
+struct PixelEstimate {
+  double visibility = 0.0;
+  double visibility_se = 0.0;
+  double half_a = 0.0;
+  double half_b = 0.0;
+  double irradiance_ratio = 0.0;
+  double unshadowed_irradiance = 0.0;
+  uint32_t sample_count = 0;
+};
+
+/// Extends `sums` to `points` samples a replicate.
+void sample_pixel(const EmbreeScene& embree, const glm::vec3& origin_world, const LightPatch& patch,
+                  const SampleSets& sets, uint32_t seed, uint32_t points, PixelSums& sums);
+
+PixelEstimate estimate_pixel(const PixelSums& sums);
+
+}  // namespace umbrameter
