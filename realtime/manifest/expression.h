@@ -13,8 +13,9 @@ namespace umbrameter {
 
 using ExpressionVariables = std::map<std::string, double, std::less<>>;
 
-/// Value of `text`. A name may contain dots (light.width, screen.height). Error{input} at `where` for a syntax
-/// error, an unknown name (with the nearest known one), division by zero or a result that is not finite.
+/// Value of `text`. A name may contain dots (light.width, screen.height). Error{input} at `where` for a
+/// syntax error, an unknown name (with the nearest known one), division by zero or a result that is not
+/// finite.
 double evaluate_expression(std::string_view text, const ExpressionVariables& variables,
                            const FileLocation& where = {});
 

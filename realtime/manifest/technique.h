@@ -12,8 +12,8 @@
 
 namespace umbrameter {
 
-/// An expression over parameters, light and screen constants and loop variables (realtime/manifest/expression.h),
-/// kept as text with its place so that errors point into the manifest.
+/// An expression over parameters, light and screen constants and loop variables
+/// (realtime/manifest/expression.h), kept as text with its place so that errors point into the manifest.
 struct ExpressionText {
   std::string text;
   FileLocation where;
@@ -34,6 +34,7 @@ struct ResourceDeclaration {
 struct ViewDeclaration {
   std::string name;
   std::string from = "light.center";  // light.center | light.sample(<expression>)
+  ExpressionText sample;              // the expression of light.sample, empty for light.center
   std::string fit = "visible";        // visible | scene, or a parameter name holding one of them
   std::string size;                   // expression: texels a side, for the texel size
   FileLocation where;
@@ -41,16 +42,16 @@ struct ViewDeclaration {
 
 /// Fixed-function state of a pass.
 struct PassState {
-  std::string cull = "none";            // none | back | front
-  std::string blend = "none";           // none | add | min | max
+  std::string cull = "none";                 // none | back | front
+  std::string blend = "none";                // none | add | min | max
   std::optional<std::vector<double>> clear;  // clear every written target first
   bool depth_clamp = true;
 };
 
 struct PassDeclaration {
   std::string id;
-  std::string kind;  // scene | fullscreen | loop
-  std::string view;  // scene: view to render from
+  std::string kind;              // scene | fullscreen | loop
+  std::string view;              // scene: view to render from
   std::string vertex, fragment;  // files in the folder or in shaders/; scene passes may leave fragment empty
   std::vector<std::string> reads;   // resource names or built-ins (gbuffer.position, ...)
   std::vector<std::string> writes;  // resource names, or "visibility"
@@ -68,6 +69,7 @@ struct Preset {
   std::string name;
   std::string doc;
   ParameterValues values;
+  FileLocation where;
 };
 
 struct Technique {
@@ -85,21 +87,25 @@ struct Technique {
   std::vector<ResourceDeclaration> resources;
   std::vector<PassDeclaration> passes;
   std::vector<Preset> presets;
-  std::string hash;  // of the manifest and every file in the folder
+  std::string hash;  // of the manifest, every file in the folder, its parameter groups and shader includes
 
   bool supports(LightType type) const;
 };
 
-/// Loads `folder`/technique.toml. `shared_folder` holds the parameter groups (`<group>.toml`).
+/// Loads `folder`/technique.toml. `shared_folder` holds the parameter groups (`<group>.toml`),
+/// `shaders_folder` the shader library (empty: ../../shaders beside `shared_folder`, as in realtime/).
 /// Error{input} with file, line and hint for unknown keys, unread parameters, inputs nobody wrote, bad
 /// expressions, missing shader files.
-Technique load_technique(const std::filesystem::path& folder, const std::filesystem::path& shared_folder);
+Technique load_technique(const std::filesystem::path& folder, const std::filesystem::path& shared_folder,
+                         const std::filesystem::path& shaders_folder = {});
 
-/// Every technique folder directly under `techniques_folder`, by id.
-std::vector<Technique> list_techniques(const std::filesystem::path& techniques_folder);
+/// Every technique folder directly under `techniques_folder`, by id; its folder `shared` is none.
+std::vector<Technique> list_techniques(const std::filesystem::path& techniques_folder,
+                                       const std::filesystem::path& shaders_folder = {});
 
 /// An id under `techniques_folder`, or a path to a folder; Error{input} with the nearest id otherwise.
-Technique find_technique(const std::string& id_or_path, const std::filesystem::path& techniques_folder);
+Technique find_technique(const std::string& id_or_path, const std::filesystem::path& techniques_folder,
+                         const std::filesystem::path& shaders_folder = {});
 
 /// Defaults, then the preset named by the pseudo-parameter "preset" if given, then `overrides`; checks names,
 /// ranges and constraints.

@@ -1,0 +1,78 @@
+#include "realtime/manifest/check_technique.h"
+#include "realtime/manifest/expression.h"
+#include "realtime/manifest/names.h"
+
+#include <algorithm>
+
+namespace umbrameter {
+namespace {
+
+/// Whether an expression uses the parameter or one of its choices.
+bool is_in_expressions(const Manifest& manifest, const Parameter& parameter) {
+  if (manifest.expression_names.contains(parameter.name)) return true;
+  return std::ranges::any_of(parameter.choices, [&](const std::string& choice) {
+    return manifest.expression_names.contains(choice_variable(parameter, choice));
+  });
+}
+
+/// A parameter nothing reads would be swept and tuned without any effect.
+void check_is_read(const Manifest& manifest, const Parameter& parameter,
+                   const std::set<std::string, std::less<>>& shader_tokens) {
+  const bool is_host = parameter.stage == ParameterStage::host;
+  const bool in_expressions = is_in_expressions(manifest, parameter);
+  if (is_host) {
+    if (in_expressions) return;
+    fail_input(fmt::format("host parameter '{}' is never read by technique '{}'", parameter.name,
+                           manifest.technique.id),
+               parameter.where, "no expression, condition or fit uses it");
+  }
+  const std::string token =
+      parameter.stage == ParameterStage::define ? macro_name(parameter.name) : parameter.name;
+  if (shader_tokens.contains(token)) return;
+  fail_input(fmt::format("{} parameter '{}' is never read by technique '{}': no shader uses {}",
+                         to_text(parameter.stage), parameter.name, manifest.technique.id, token),
+             parameter.where, in_expressions ? "only expressions use it: stage = \"host\"" : "");
+}
+
+void check_presets(const Manifest& manifest) {
+  const Technique& technique = manifest.technique;
+  std::set<std::string> names;
+  for (const Preset& preset : technique.presets) {
+    if (!names.insert(preset.name).second) {
+      fail_input(fmt::format("preset '{}' stands here a second time", preset.name), preset.where);
+    }
+    ParameterValues values = default_values(technique.parameters);
+    for (const auto& [name, value] : preset.values) values[name] = value;
+    for (const ExpressionText& constraint : manifest.constraints) {
+      check_constraint(technique, constraint, values, fmt::format("preset '{}'", preset.name));
+    }
+  }
+}
+
+}  // namespace
+
+void check_constraint(const Technique& technique, const ExpressionText& constraint,
+                      const ParameterValues& values, std::string_view of_what) {
+  const ExpressionVariables variables = parameter_variables(technique.parameters, values);
+  if (evaluate_expression(constraint.text, variables, constraint.where) != 0.0) return;
+  std::string seen;
+  for (const std::string& name : expression_names(constraint.text, constraint.where)) {
+    if (!values.contains(name)) continue;
+    seen += fmt::format("{}{} = {}", seen.empty() ? "" : ", ", name, to_text(values.at(name)));
+  }
+  fail_input(
+      fmt::format("{} of technique '{}' break the constraint '{}'", of_what, technique.id, constraint.text),
+      constraint.where, seen);
+}
+
+void check_parameters(const Manifest& manifest, const std::set<std::string, std::less<>>& shader_tokens) {
+  for (const Parameter& parameter : manifest.technique.parameters)
+    check_is_read(manifest, parameter, shader_tokens);
+  const ParameterValues defaults = default_values(manifest.technique.parameters);
+  for (const ExpressionText& constraint : manifest.constraints) {
+    check_constraint(manifest.technique, constraint, defaults, "the defaults");
+  }
+  check_presets(manifest);
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,228 @@
+#include "core/names.h"
+#include "realtime/harness/objects.h"
+#include "realtime/manifest/check_technique.h"
+#include "realtime/manifest/expression.h"
+#include "realtime/manifest/names.h"
+
+#include <algorithm>
+#include <map>
+
+namespace umbrameter {
+namespace {
+
+using NameSet = std::set<std::string, std::less<>>;
+
+/// Identifiers of the shaders' one namespace, with what each stands for.
+class Identifiers {
+ public:
+  void claim(const std::string& identifier, const std::string& what, const FileLocation& where) {
+    const auto [taken, is_new] = owners_.emplace(identifier, what);
+    if (!is_new)
+      fail_input(fmt::format("{} uses the name '{}', which {} has", what, identifier, taken->second), where);
+  }
+
+ private:
+  std::map<std::string, std::string> owners_;
+};
+
+void claim_loops(Identifiers& identifiers, const std::vector<PassDeclaration>& passes) {
+  for (const PassDeclaration& pass : passes) {
+    if (pass.kind != "loop") continue;
+    const std::string what = fmt::format("loop '{}'", pass.id);
+    identifiers.claim(pass.loop_variable, what, pass.where);
+    identifiers.claim(pass.loop_variable + "_count", what, pass.where);
+    claim_loops(identifiers, pass.body);
+  }
+}
+
+void check_identifiers(const Technique& technique) {
+  Identifiers identifiers;
+  for (const std::string& name : builtin_reads()) identifiers.claim(glsl_name(name), "a built-in", {});
+  identifiers.claim(std::string(kVisibility), "a built-in", {});
+  for (const Parameter& parameter : technique.parameters) {
+    identifiers.claim(parameter.name, fmt::format("parameter '{}'", parameter.name), parameter.where);
+  }
+  for (const ResourceDeclaration& resource : technique.resources) {
+    const std::string what = fmt::format("resource '{}'", resource.name);
+    for (const std::string& name : {resource.name, resource.name + "_size", "out_" + resource.name}) {
+      identifiers.claim(name, what, resource.where);
+    }
+  }
+  for (const ViewDeclaration& view : technique.views) {
+    identifiers.claim("view_" + view.name, fmt::format("view '{}'", view.name), view.where);
+  }
+  claim_loops(identifiers, technique.passes);
+}
+
+/// Walks the passes in the order they run and remembers what has happened so far.
+class PassChecker {
+ public:
+  explicit PassChecker(const Technique& technique) : technique_(technique) {
+    for (const ResourceDeclaration& resource : technique.resources) {
+      formats_[resource.name] = &find_texture_format(resource.format, resource.where);
+      known_writes_.push_back(resource.name);
+    }
+    formats_[std::string(kVisibility)] = &find_texture_format("r32f");
+    known_writes_.emplace_back(kVisibility);
+    known_reads_ = known_writes_;
+    known_reads_.insert(known_reads_.end(), builtin_reads().begin(), builtin_reads().end());
+  }
+
+  void check_all() {
+    check(technique_.passes, {});
+    check_resources();
+    check_views();
+    if (!written_.contains(kVisibility)) {
+      fail_input(fmt::format("technique '{}' never writes 'visibility'", technique_.id),
+                 {(technique_.folder / "technique.toml").string(), 0, 0},
+                 "one pass must list it in 'writes'");
+    }
+  }
+
+ private:
+  [[noreturn]] static void fail(const PassDeclaration& pass, const std::string& message,
+                                const std::string& hint = {}) {
+    fail_input(fmt::format("pass '{}' {}", pass.id, message), pass.where, hint);
+  }
+
+  void check(const std::vector<PassDeclaration>& passes, const NameSet& loop_variables) {
+    for (const PassDeclaration& pass : passes) {
+      if (!ids_.insert(pass.id).second) fail(pass, "stands here a second time", "ids are unique");
+      if (pass.kind == "loop") {
+        NameSet inner = loop_variables;
+        inner.insert({pass.loop_variable, pass.loop_variable + "_count"});
+        check(pass.body, inner);
+        continue;
+      }
+      check_used_views(pass, loop_variables);
+      check_reads(pass);
+      check_writes(pass);
+    }
+  }
+
+  void check_used_views(const PassDeclaration& pass, const NameSet& loop_variables) {
+    std::vector<std::string> used = pass.views;
+    if (!pass.view.empty()) used.push_back(pass.view);
+    std::vector<std::string> known;
+    for (const ViewDeclaration& view : technique_.views) known.push_back(view.name);
+    for (const std::string& name : used) {
+      const auto view = std::ranges::find(technique_.views, name, &ViewDeclaration::name);
+      if (view == technique_.views.end()) {
+        fail(pass, fmt::format("uses the view '{}', which is not declared", name), suggest_name(name, known));
+      }
+      used_views_.insert(name);
+      check_loop_names(pass, *view, loop_variables);
+    }
+  }
+
+  /// A sample view that depends on a loop variable can only be used inside that loop.
+  void check_loop_names(const PassDeclaration& pass, const ViewDeclaration& view,
+                        const NameSet& loop_variables) {
+    if (view.sample.text.empty()) return;
+    const NameSet all = all_loop_variables(technique_.passes);
+    for (const std::string& name : expression_names(view.sample.text, view.where)) {
+      if (!all.contains(name) || loop_variables.contains(name)) continue;
+      fail(pass, fmt::format("uses the view '{}' outside the loop over '{}'", view.name, name));
+    }
+  }
+
+  static NameSet all_loop_variables(const std::vector<PassDeclaration>& passes) {
+    NameSet names;
+    for (const PassDeclaration& pass : passes) {
+      if (pass.kind != "loop") continue;
+      names.insert({pass.loop_variable, pass.loop_variable + "_count"});
+      names.merge(all_loop_variables(pass.body));
+    }
+    return names;
+  }
+
+  void check_reads(const PassDeclaration& pass) {
+    NameSet reads;
+    for (const std::string& name : pass.reads) {
+      if (std::ranges::find(known_reads_, name) == known_reads_.end()) {
+        fail(pass, fmt::format("reads '{}', which is neither a resource nor built in", name),
+             suggest_name(name, known_reads_));
+      }
+      if (!reads.insert(name).second) fail(pass, fmt::format("reads '{}' twice", name));
+      if (std::ranges::find(pass.writes, name) != pass.writes.end())
+        fail(pass, fmt::format("reads and writes '{}'", name));
+      const bool is_builtin = std::ranges::find(builtin_reads(), name) != builtin_reads().end();
+      if (!is_builtin && !written_.contains(name)) {
+        fail(pass, fmt::format("reads '{}', which no earlier pass writes", name));
+      }
+      read_.insert(name);
+    }
+  }
+
+  void check_writes(const PassDeclaration& pass) {
+    constexpr int kMaxColors = 8;
+    if (pass.writes.empty()) fail(pass, "writes nothing", "writes = [\"visibility\"] or resources");
+    NameSet writes;
+    int colors = 0;
+    int depths = 0;
+    for (const std::string& name : pass.writes) {
+      if (std::ranges::find(known_writes_, name) == known_writes_.end()) {
+        fail(pass, fmt::format("writes '{}', which is no resource", name), suggest_name(name, known_writes_));
+      }
+      if (!writes.insert(name).second) fail(pass, fmt::format("writes '{}' twice", name));
+      (formats_.at(name)->is_depth ? depths : colors) += 1;
+      check_contents(pass, name);
+    }
+    if (depths > 1) fail(pass, "writes more than one depth resource");
+    if (colors > kMaxColors) fail(pass, fmt::format("writes more than {} colour resources", kMaxColors));
+    if (depths > 0 && pass.kind == "fullscreen") fail(pass, "writes depth, which only scene passes can");
+    if (colors > 0 && pass.fragment.empty()) fail(pass, "writes colour without a 'fragment' shader");
+    for (const std::string& name : pass.writes) {
+      written_.insert(name);
+      if (colors > 0 && formats_.at(name)->is_depth) depth_for_colors_.insert(name);
+    }
+  }
+
+  /// Blending, and drawing that leaves texels out, need something in the target.
+  void check_contents(const PassDeclaration& pass, const std::string& name) const {
+    if (pass.state.clear || written_.contains(name)) return;
+    if (pass.state.blend != "none")
+      fail(pass, fmt::format("blends into '{}' before anything is in it", name), "add 'clear'");
+    if (pass.kind == "scene")
+      fail(pass, fmt::format("draws into '{}' before anything is in it", name), "add 'clear'");
+  }
+
+  void check_resources() const {
+    for (const ResourceDeclaration& resource : technique_.resources) {
+      const TextureFormat& format = *formats_.at(resource.name);
+      const auto fail_resource = [&](std::string_view message, const std::string& hint = {}) {
+        fail_input(fmt::format("resource '{}' {}", resource.name, message), resource.where, hint);
+      };
+      if (resource.compare && !format.is_depth)
+        fail_resource("cannot be compared", "compare = true needs depth32f");
+      if (format.is_integer && resource.filter != "nearest")
+        fail_resource("holds integers, which cannot be filtered");
+      if (!written_.contains(resource.name)) fail_resource("is never written");
+      if (!read_.contains(resource.name) && !depth_for_colors_.contains(resource.name))
+        fail_resource("is never read");
+    }
+  }
+
+  void check_views() const {
+    for (const ViewDeclaration& view : technique_.views) {
+      if (!used_views_.contains(view.name))
+        fail_input(fmt::format("view '{}' is never used", view.name), view.where);
+    }
+  }
+
+  const Technique& technique_;
+  std::map<std::string, const TextureFormat*, std::less<>> formats_;
+  std::vector<std::string> known_reads_;
+  std::vector<std::string> known_writes_;
+  NameSet ids_, written_, read_, used_views_;
+  NameSet depth_for_colors_;  // depth resources that only serve the depth test of a pass with colours
+};
+
+}  // namespace
+
+void check_passes(const Technique& technique) {
+  check_identifiers(technique);
+  PassChecker(technique).check_all();
+}
+
+}  // namespace umbrameter

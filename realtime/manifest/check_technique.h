@@ -1,0 +1,22 @@
+#pragma once
+// What makes a manifest whole: every name means something, everything declared is used, what is read was
+// written before.
+
+#include "realtime/manifest/read_manifest.h"
+
+namespace umbrameter {
+
+/// Resources, views and passes: formats that fit their use, reads of what earlier passes wrote, nothing
+/// unused, `visibility` written. Error{input} at the first fault.
+void check_passes(const Technique& technique);
+
+/// Parameters: each is read (define and uniform ones by `shader_tokens`, host ones by an expression or a
+/// fit), presets name them, constraints hold for the defaults and every preset. Error{input} at the first
+/// fault.
+void check_parameters(const Manifest& manifest, const std::set<std::string, std::less<>>& shader_tokens);
+
+/// The parameter values that break no constraint, or Error{input} naming the one that fails and what it sees.
+void check_constraint(const Technique& technique, const ExpressionText& constraint,
+                      const ParameterValues& values, std::string_view of_what);
+
+}  // namespace umbrameter

@@ -1,0 +1,37 @@
+#pragma once
+// Pieces of a manifest that several of its tables are made of. Private to realtime/manifest.
+
+#include "core/toml.h"
+#include "realtime/manifest/read_manifest.h"
+
+#include <string>
+#include <vector>
+
+namespace umbrameter {
+
+using Names = std::vector<std::string>;
+
+/// A name that becomes an identifier in GLSL.
+std::string read_name(TomlReader& reader, const std::string& key);
+
+/// Error{input} unless `expression` parses and uses names of `scope` only; notes the names as used.
+void check_expression(Manifest& manifest, const ExpressionText& expression, const Names& scope);
+
+/// An expression, or a plain integer; empty when absent.
+ExpressionText read_expression(Manifest& manifest, TomlReader& reader, const std::string& key,
+                               const Names& scope);
+ExpressionText require_expression(Manifest& manifest, TomlReader& reader, const std::string& key,
+                                  const Names& scope);
+
+/// One to four finite numbers.
+std::vector<double> read_numbers(TomlReader& reader, const std::string& key);
+
+// The tables. `scope` holds the names that expressions may use.
+ResourceDeclaration read_resource(Manifest& manifest, const TomlNode& table, const Names& scope);
+ViewDeclaration read_view(Manifest& manifest, const TomlNode& table, const Names& scope);
+PassDeclaration read_pass(Manifest& manifest, const TomlNode& table, const Names& scope, int loop_depth);
+
+/// The variables of all loops, and their counts.
+void collect_loop_variables(const std::vector<PassDeclaration>& passes, Names& names);
+
+}  // namespace umbrameter

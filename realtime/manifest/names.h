@@ -1,0 +1,41 @@
+#pragma once
+// What manifests may name besides their own things, and how names reach GLSL.
+
+#include "core/parameters.h"
+#include "realtime/manifest/expression.h"
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace umbrameter {
+
+/// Built-in reads (gbuffer.*) in a fixed order.
+std::span<const std::string> builtin_reads();
+inline constexpr std::string_view kVisibility = "visibility";
+
+/// A resource or built-in as GLSL sees it: dots become underscores.
+std::string glsl_name(std::string_view name);
+/// A parameter or choice as a macro: upper case, everything but letters and digits an underscore.
+std::string macro_name(std::string_view name);
+/// "<parameter>.<choice>": the name whose value in an expression is the choice's index.
+std::string choice_variable(const Parameter& parameter, std::string_view choice);
+
+/// Names that every expression may use next to the technique's parameters: screen.width and height (px);
+/// light.width and height (full extent in world units; sun: 2 tan(half angle)); light.type and
+/// light.rect, light.disk, light.sphere, light.sun to compare it with.
+std::span<const std::string> builtin_variables();
+
+/// The value of every parameter and choice.
+ExpressionVariables parameter_variables(std::span<const Parameter> parameters, const ParameterValues& values);
+
+/// A shader file: in the technique's folder, else in shaders/lib, else in shaders/. Error{input} at `where`.
+std::filesystem::path find_shader(const std::string& file, const std::filesystem::path& technique_folder,
+                                  const std::filesystem::path& shaders_folder, const FileLocation& where);
+
+/// Where #include looks after the including file's own folder.
+std::vector<std::filesystem::path> shader_search_folders(const std::filesystem::path& shaders_folder);
+
+}  // namespace umbrameter
