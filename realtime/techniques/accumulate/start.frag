@@ -1,0 +1,2 @@
+// The sum starts at nothing.
+void main() { out_visibility = 0.0; }

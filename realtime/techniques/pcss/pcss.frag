@@ -1,0 +1,62 @@
+// Percentage-closer soft shadows (Fernando 2005) with kernels shaped like the light: search for blockers, place a
+// plane at their mean distance, and ask the map along the rays from the receiver through that plane to the light.
+#include "area_light.glsl"
+#include "shadow_map.glsl"
+
+/// Blockers anywhere between the view's near plane and the receiver lie on its rays through the near plane.
+/// Their mean distance, or the receiver's own for none.
+float mean_blocker_distance(AreaLight light, Receiver receiver, vec2 noise) {
+  bool is_harmonic = AVERAGE == AVERAGE_HARMONIC && !is_orthographic(view_light);
+  float sum = 0.0;
+  float count = 0.0;
+  for (int i = 0; i < SEARCH_TAPS; ++i) {
+    vec3 ray = ray_to_light(light, receiver, kernel_point(light, i, SEARCH_TAPS, noise));
+    if (ray.z >= 0.0 || !faces(receiver, ray)) continue;
+    vec2 lateral = lateral_on_ray(view_light, receiver, ray, view_light.depth_range.x);
+    float z_blocker;
+    if (!find_blocker(shadow_map, view_light, receiver, texel_at(view_light, lateral), z_blocker)) continue;
+    sum += is_harmonic ? 1.0 / z_blocker : z_blocker;
+    count += 1.0;
+  }
+  if (count == 0.0) return receiver.p_light.z;
+  return is_harmonic ? count / sum : sum / count;
+}
+
+/// Share of the light's points whose rays pass the map at `z_blocker`; those below the receiver's horizon do not.
+float visible_share(AreaLight light, Receiver receiver, float z_blocker, vec2 noise) {
+  bool has_blocker = z_blocker < receiver.p_light.z;
+  float seen = 0.0;
+  for (int i = 0; i < FILTER_TAPS; ++i) {
+    vec3 ray = ray_to_light(light, receiver, kernel_point(light, i, FILTER_TAPS, noise));
+    if (!faces(receiver, ray)) continue;
+    bool is_open = !has_blocker || ray.z >= 0.0;
+    if (!is_open) {
+      vec2 lateral = lateral_on_ray(view_light, receiver, ray, z_blocker);
+      is_open = !is_blocked(shadow_map, view_light, receiver, texel_at(view_light, lateral));
+    }
+    if (is_open) seen += 1.0;
+  }
+  return seen / float(FILTER_TAPS);
+}
+
+vec2 pixel_noise() {
+  if (NOISE == 0) return vec2(0.0);
+  vec2 p_px = seeded_position(pixel_position(gl_FragCoord.xy, float(frame.screen_and_seed.y)), frame.screen_and_seed.z);
+  return vec2(interleaved_gradient_noise(p_px), interleaved_gradient_noise(p_px.yx));
+}
+
+float visibility_of(Receiver receiver) {
+  AreaLight light = AreaLight(frame.light_type.x, frame.light_extent.xy);
+  if (is_behind(view_light, receiver)) return light.type == kSphere ? 1.0 : 0.0;
+  vec2 noise = pixel_noise();
+  return visible_share(light, receiver, mean_blocker_distance(light, receiver, noise), noise);
+}
+
+void main() {
+  ivec2 px = ivec2(gl_FragCoord.xy);
+  vec4 position = texelFetch(gbuffer_position, px, 0);
+  vec3 n_world = texelFetch(gbuffer_normal, px, 0).xyz;
+  Bias bias = Bias(bias_world, bias_texels, normal_offset_texels, RECEIVER_PLANE != 0);
+  bool is_background = position.w == 0.0;
+  out_visibility = is_background ? 1.0 : visibility_of(make_receiver(view_light, position.xyz, n_world, bias));
+}
