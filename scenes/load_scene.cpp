@@ -1,0 +1,99 @@
+#include "scenes/load_scene.h"
+
+#include "core/files.h"
+#include "core/hash.h"
+#include "scenes/light_enclosure.h"
+#include "scenes/read_camera.h"
+#include "scenes/read_light.h"
+#include "scenes/read_mesh.h"
+
+#include <set>
+
+namespace umbrameter {
+namespace {
+
+constexpr double kNearOfDiagonal = 1e-4;
+
+void hash_vector(Hasher& hasher, const glm::dvec3& v) {
+  hasher.number(v.x).number(v.y).number(v.z);
+}
+
+void hash_light(Hasher& hasher, const Light& light) {
+  hasher.text(to_text(light.type));
+  for (const glm::dvec3& v :
+       {light.center_world, light.tangent_world, light.bitangent_world, light.direction_world}) {
+    hash_vector(hasher, v);
+  }
+  hasher.number(light.size_world.x)
+      .number(light.size_world.y)
+      .number(light.radius_world)
+      .number(light.half_angle_rad);
+}
+
+std::string hash_scene(const Scene& scene) {
+  Hasher hasher;
+  for (const glm::dvec3& v : {scene.camera.eye_world, scene.camera.at_world, scene.camera.up_world}) {
+    hash_vector(hasher, v);
+  }
+  hasher.number(scene.camera.vertical_fov_deg).number(scene.camera.near_world);
+  hasher.number(static_cast<double>(scene.lights.size()));
+  for (const Light& light : scene.lights) hash_light(hasher, light);
+  hasher.number(static_cast<double>(scene.positions_world.size()));
+  hasher.values(std::span<const glm::vec3>(scene.positions_world));
+  hasher.number(static_cast<double>(scene.normals_world.size()));
+  hasher.values(std::span<const glm::vec3>(scene.normals_world));
+  hasher.values(std::span<const glm::uvec3>(scene.triangles));
+  return hasher.hex();
+}
+
+std::vector<Light> read_lights(TomlReader& reader) {
+  std::vector<Light> lights;
+  std::set<std::string> names;
+  for (const TomlNode* table : reader.tables("light")) {
+    lights.push_back(read_light(*table));
+    if (names.insert(lights.back().name).second) continue;
+    fail_input(fmt::format("two lights are called '{}'", lights.back().name), table->where,
+               "give each a 'name'");
+  }
+  if (lights.empty()) reader.fail("light", "there is no light", "add a [[light]] table");
+  return lights;
+}
+
+std::vector<NamedMesh> read_meshes(TomlReader& reader, const std::filesystem::path& folder,
+                                   const SceneSearch& search, std::vector<std::string>& warnings) {
+  std::vector<NamedMesh> meshes;
+  for (const TomlNode* table : reader.tables("mesh")) {
+    meshes.push_back(read_mesh(*table, folder, search, warnings));
+  }
+  if (meshes.empty()) reader.fail("mesh", "there is no mesh", "add a [[mesh]] table");
+  return meshes;
+}
+
+}  // namespace
+
+Scene parse_scene(std::string_view document, const std::filesystem::path& file, const SceneSearch& search) {
+  const TomlNode root = parse_toml(document, file.string());
+  TomlReader reader(root, "the scene");
+  Scene scene;
+  scene.name = file.stem().string();
+  scene.title = reader.text("title", scene.name);
+  scene.doc = reader.text("doc", "");
+  scene.source = {file.string()};
+  scene.camera = read_camera(reader.require("camera"));
+  scene.lights = read_lights(reader);
+  reader.has("mesh");  // a known key
+  reader.finish();     // unknown keys are reported before large files are read
+  std::vector<NamedMesh> meshes = read_meshes(reader, file.parent_path(), search, scene.warnings);
+  merge_meshes(meshes, scene);
+  if (scene.camera.near_world == 0.0)
+    scene.camera.near_world = kNearOfDiagonal * scene.bounds_world.diagonal();
+  for (std::string& warning : find_enclosed_lights(scene)) scene.warnings.push_back(std::move(warning));
+  scene.hash = hash_scene(scene);
+  return scene;
+}
+
+Scene load_scene(const std::filesystem::path& file, const SceneSearch& search) {
+  return parse_scene(read_file(file), file, search);
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,114 @@
+#include "scenes/merge_meshes.h"
+
+#include "scenes/clean_triangles.h"
+#include "scenes/read_values.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+
+namespace umbrameter {
+namespace {
+
+using glm::dvec3;
+
+glm::vec3 float_position(const dvec3& p, const NamedMesh& mesh) {
+  const double largest = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  if (!(largest <= kMaxLength_world)) {  // catches NaN too
+    fail_input(fmt::format("mesh '{}' has a vertex at ({}, {}, {}); coordinates must stay within {:g}",
+                           mesh.name, p.x, p.y, p.z, kMaxLength_world),
+               mesh.where, "check 'scale' and 'translate'");
+  }
+  return glm::vec3(p) + 0.0f;  // -0 becomes 0, so equal positions have equal bits
+}
+
+/// Gives each triangle its own vertices, with the triangle's normal.
+void split_flat(MeshData& mesh) {
+  std::vector<dvec3> positions;
+  for (glm::uvec3& t : mesh.triangles) {
+    const dvec3 corners[3] = {mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]};
+    const dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+    const double length = glm::length(normal);
+    const auto first = static_cast<uint32_t>(positions.size());
+    positions.insert(positions.end(), corners, corners + 3);
+    // A triangle without area is dropped later; any unit vector will do.
+    mesh.normals.insert(mesh.normals.end(), 3, length > 0.0 ? normal / length : dvec3(0, 1, 0));
+    t = {first, first + 1, first + 2};
+  }
+  mesh.positions = std::move(positions);
+}
+
+void append_parts(const NamedMesh& mesh, uint32_t first_triangle, Scene& scene) {
+  if (mesh.mesh.parts.empty()) {
+    scene.parts.push_back({mesh.name, first_triangle, static_cast<uint32_t>(mesh.mesh.triangles.size())});
+    return;
+  }
+  for (const MeshPart& part : mesh.mesh.parts) {
+    const std::string name = part.name.empty() ? mesh.name : mesh.name + "/" + part.name;
+    scene.parts.push_back({name, first_triangle + part.first_triangle, part.triangle_count});
+  }
+}
+
+void append(const NamedMesh& mesh, Scene& scene) {
+  const size_t total = scene.triangles.size() + mesh.mesh.triangles.size();
+  if (total > kMaxTriangles) {
+    fail_input(fmt::format("with mesh '{}' the scene has {} triangles; at most {} can be told apart",
+                           mesh.name, total, kMaxTriangles),
+               mesh.where);
+  }
+  append_parts(mesh, static_cast<uint32_t>(scene.triangles.size()), scene);
+  const auto base = static_cast<uint32_t>(scene.positions_world.size());
+  for (const dvec3& p : mesh.mesh.positions) scene.positions_world.push_back(float_position(p, mesh));
+  for (const dvec3& n : mesh.mesh.normals) scene.normals_world.emplace_back(n);
+  for (const glm::uvec3& t : mesh.mesh.triangles) scene.triangles.push_back(t + base);
+}
+
+std::string describe_loss(size_t zero_area, size_t duplicates) {
+  std::string text;
+  if (zero_area > 0) text = fmt::format("{} triangle{} of zero area", zero_area, zero_area == 1 ? "" : "s");
+  if (duplicates == 0) return text;
+  return text +
+         fmt::format("{}{} duplicate{}", text.empty() ? "" : ", ", duplicates, duplicates == 1 ? "" : "s");
+}
+
+/// Counts what each mesh loses; `first_triangles[i]` is where mesh i starts, with the total at the end.
+void report_faults(const std::vector<NamedMesh>& meshes, const std::vector<uint32_t>& first_triangles,
+                   const std::vector<TriangleFault>& faults, Scene& scene) {
+  for (size_t i = 0; i < meshes.size(); ++i) {
+    const auto begin = faults.begin() + first_triangles[i];
+    const auto end = faults.begin() + first_triangles[i + 1];
+    const auto zero_area = static_cast<size_t>(std::count(begin, end, TriangleFault::zero_area));
+    const auto duplicates = static_cast<size_t>(std::count(begin, end, TriangleFault::duplicate));
+    if (zero_area + duplicates == 0) continue;
+    const std::string loss = describe_loss(zero_area, duplicates);
+    if (static_cast<size_t>(end - begin) == zero_area + duplicates) {
+      fail_input(fmt::format("mesh '{}' is empty: {} had to be dropped", meshes[i].name, loss),
+                 meshes[i].where);
+    }
+    scene.warnings.push_back(fmt::format("{}: dropped {}", meshes[i].label, loss));
+  }
+}
+
+}  // namespace
+
+void merge_meshes(std::vector<NamedMesh>& meshes, Scene& scene) {
+  const bool smooth = std::any_of(meshes.begin(), meshes.end(),
+                                  [](const NamedMesh& mesh) { return !mesh.mesh.normals.empty(); });
+  std::vector<uint32_t> first_triangles{0};
+  for (NamedMesh& mesh : meshes) {
+    if (smooth && mesh.mesh.normals.empty()) split_flat(mesh.mesh);
+    append(mesh, scene);
+    first_triangles.push_back(static_cast<uint32_t>(scene.triangles.size()));
+    mesh.mesh = {};
+  }
+  const std::vector<TriangleFault> faults = find_triangle_faults(scene);
+  report_faults(meshes, first_triangles, faults, scene);
+  remove_triangles(scene, faults);
+  for (const glm::vec3& p : scene.positions_world) {
+    scene.bounds_world.min = glm::min(scene.bounds_world.min, dvec3(p));
+    scene.bounds_world.max = glm::max(scene.bounds_world.max, dvec3(p));
+  }
+}
+
+}  // namespace umbrameter

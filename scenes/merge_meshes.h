@@ -1,0 +1,27 @@
+#pragma once
+// Puts the meshes of a scene file into the scene's one triangle list.
+
+#include "scenes/mesh_data.h"
+
+#include <string>
+#include <vector>
+
+namespace umbrameter {
+
+/// A mesh in world space, ready to be merged.
+struct NamedMesh {
+  std::string name;   // of the [[mesh]]
+  std::string label;  // for warnings: the file's name, or the mesh's name
+  FileLocation where;
+  MeshData mesh;
+};
+
+/// Fills positions, normals, triangles, parts and bounds of `scene` from `meshes` (which are emptied), in
+/// order. Drops triangles whose area in floats is zero and all but the first of triangles with the same three
+/// positions; each mesh that lost some gets a line in scene.warnings. If any mesh has shading normals, the
+/// others get their geometric normals, each triangle its own three vertices. Parts are called "mesh" or
+/// "mesh/material". Error{input} for coordinates that are not finite or too large, more than kMaxTriangles
+/// triangles, and a mesh that has no triangle left.
+void merge_meshes(std::vector<NamedMesh>& meshes, Scene& scene);
+
+}  // namespace umbrameter

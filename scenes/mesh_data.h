@@ -1,0 +1,19 @@
+#pragma once
+// A mesh on its way from a file or a shape to the scene, in doubles.
+
+#include "scenes/scene.h"
+
+#include <glm/vec3.hpp>
+
+#include <vector>
+
+namespace umbrameter {
+
+struct MeshData {
+  std::vector<glm::dvec3> positions;
+  std::vector<glm::dvec3> normals;    // unit shading normals, one per position; empty = flat shading
+  std::vector<glm::uvec3> triangles;  // indices into positions; counter-clockwise seen from outside
+  std::vector<MeshPart> parts;        // cover `triangles` in order
+};
+
+}  // namespace umbrameter

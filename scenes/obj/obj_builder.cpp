@@ -1,0 +1,169 @@
+#include "scenes/obj/obj_builder.h"
+
+#include "core/names.h"
+#include "scenes/obj/triangulate.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+namespace umbrameter {
+namespace {
+
+constexpr size_t kMaxVertices = 3 * size_t{kMaxTriangles};
+constexpr uint32_t kNoNormal = ~0u;
+
+bool is_finite(const glm::dvec3& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Makes one vertex of each pair of position and normal that occurs.
+void split_vertices(MeshData& mesh, const std::vector<glm::dvec3>& normals,
+                    const std::vector<glm::uvec3>& triangle_normals) {
+  std::unordered_map<uint64_t, uint32_t> vertex_of_pair;
+  std::vector<glm::dvec3> positions;
+  for (size_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (int c = 0; c < 3; ++c) {
+      const uint32_t position = mesh.triangles[t][c];
+      const uint32_t normal = triangle_normals[t][c];
+      const auto next = static_cast<uint32_t>(positions.size());
+      const auto [found, is_new] = vertex_of_pair.try_emplace(uint64_t{position} << 32 | normal, next);
+      if (is_new) {
+        positions.push_back(mesh.positions[position]);
+        mesh.normals.push_back(glm::normalize(normals[normal]));
+      }
+      mesh.triangles[t][c] = found->second;
+    }
+  }
+  mesh.positions = std::move(positions);
+}
+
+}  // namespace
+
+ObjBuilder::ObjBuilder(const ObjLines& lines, const ObjFilter& filter) : lines_(lines), filter_(filter) {}
+
+void ObjBuilder::fail(const std::string& message, const std::string& hint) const {
+  fail_input(message, {lines_.file(), lines_.line()}, hint);
+}
+
+void ObjBuilder::add_position(const glm::dvec3& p) {
+  if (!is_finite(p)) fail("the vertex is not finite");
+  if (mesh_.positions.size() == kMaxVertices) fail(fmt::format("more than {} vertices", kMaxVertices));
+  mesh_.positions.push_back(p);
+}
+
+void ObjBuilder::add_normal(const glm::dvec3& n) {
+  if (!is_finite(n)) fail("the normal is not finite");
+  if (normals_.size() == kMaxVertices) fail(fmt::format("more than {} normals", kMaxVertices));
+  normals_.push_back(n);
+}
+
+void ObjBuilder::set_name(std::string& slot, const std::string& name) {
+  slot = name;
+  seen_.insert(name);
+  names_changed_ = true;
+}
+
+bool ObjBuilder::is_kept() const {
+  const auto matches = [&](const std::vector<std::string>& names) {
+    return contains(names, material_) || contains(names, group_) || contains(names, object_);
+  };
+  return (filter_.include.empty() || matches(filter_.include)) && !matches(filter_.exclude);
+}
+
+uint32_t ObjBuilder::label_index() {
+  const std::string& name = !material_.empty() ? material_ : !group_.empty() ? group_ : object_;
+  const auto [found, is_new] = labels_.try_emplace(name, static_cast<uint32_t>(label_names_.size()));
+  if (is_new) label_names_.push_back(name);
+  return found->second;
+}
+
+uint32_t ObjBuilder::resolve(int index, size_t count, const char* what) const {
+  const int64_t zero_based = index > 0 ? int64_t{index} - 1 : static_cast<int64_t>(count) + index;
+  if (zero_based < 0 || zero_based >= static_cast<int64_t>(count)) {
+    fail(fmt::format("the face refers to {} {}, but {} are defined above it", what, index, count),
+         "is the file cut off or put together from parts?");
+  }
+  return static_cast<uint32_t>(zero_based);
+}
+
+void ObjBuilder::add_face(std::span<const ObjCorner> corners) {
+  if (names_changed_) {
+    kept_ = is_kept();
+    label_ = kept_ ? label_index() : 0;
+    names_changed_ = false;
+  }
+  std::vector<uint32_t> positions;
+  std::vector<uint32_t> normals;
+  std::vector<glm::dvec3> points;
+  bool has_normals = true;
+  for (const ObjCorner& corner : corners) {
+    positions.push_back(resolve(corner.position, mesh_.positions.size(), "vertex"));
+    points.push_back(mesh_.positions[positions.back()]);
+    normals.push_back(corner.normal == 0 ? kNoNormal : resolve(corner.normal, normals_.size(), "normal"));
+    has_normals &= normals.back() != kNoNormal && glm::length(normals_[normals.back()]) > 0.0;
+  }
+  if (!kept_) return;
+  for (const auto& [a, b, c] : triangulate(points)) {
+    if (mesh_.triangles.size() == kMaxTriangles) fail(fmt::format("more than {} triangles", kMaxTriangles));
+    mesh_.triangles.push_back({positions[a], positions[b], positions[c]});
+    triangle_labels_.push_back(label_);
+    bare_triangles_ += has_normals ? 0 : 1;
+    if (!normals_.empty()) {
+      triangle_normals_.resize(mesh_.triangles.size() - 1, glm::uvec3(kNoNormal));
+      triangle_normals_.push_back({normals[a], normals[b], normals[c]});
+    }
+  }
+}
+
+void ObjBuilder::require_names_seen() const {
+  const std::vector<std::string> known(seen_.begin(), seen_.end());
+  for (const auto* names : {&filter_.include, &filter_.exclude}) {
+    for (const std::string& name : *names) {
+      if (seen_.count(name) > 0) continue;
+      fail_input(fmt::format("no material, group or object is called '{}'", name), {lines_.file()},
+                 suggest_name(name, known));
+    }
+  }
+}
+
+bool ObjBuilder::use_normals(std::vector<std::string>& warnings) const {
+  if (triangle_normals_.empty() || bare_triangles_ == mesh_.triangles.size()) return false;
+  if (bare_triangles_ == 0) return true;
+  const std::string file = std::filesystem::path(lines_.file()).filename().string();
+  warnings.push_back(fmt::format("{}: {} of {} triangles lack normals, so it is shaded flat", file,
+                                 bare_triangles_, mesh_.triangles.size()));
+  return false;
+}
+
+void ObjBuilder::group_by_label(MeshData& mesh) {
+  std::vector<uint32_t> first(label_names_.size() + 1, 0);
+  for (const uint32_t label : triangle_labels_) ++first[label + 1];
+  for (size_t i = 0; i < label_names_.size(); ++i) {
+    mesh.parts.push_back({label_names_[i], first[i], first[i + 1]});
+    first[i + 1] += first[i];
+  }
+  std::vector<glm::uvec3> sorted(mesh.triangles.size());
+  for (size_t t = 0; t < sorted.size(); ++t) sorted[first[triangle_labels_[t]]++] = mesh.triangles[t];
+  mesh.triangles = std::move(sorted);
+}
+
+MeshData ObjBuilder::finish(std::vector<std::string>& warnings) {
+  require_names_seen();
+  if (mesh_.triangles.empty()) {
+    const bool is_filtered = !filter_.include.empty() || !filter_.exclude.empty();
+    fail_input(is_filtered ? "no face is left after 'include' and 'exclude'" : "the mesh has no faces",
+               {lines_.file()});
+  }
+  if (use_normals(warnings)) split_vertices(mesh_, normals_, triangle_normals_);
+  group_by_label(mesh_);
+  return std::move(mesh_);
+}
+
+}  // namespace umbrameter
