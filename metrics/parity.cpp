@@ -2,7 +2,10 @@
 
 #include "core/error.h"
 #include "metrics/checks.h"
+#include "metrics/surface.h"
 #include "metrics/tiles.h"
+
+#include <glm/geometric.hpp>
 
 #include <array>
 #include <cmath>
@@ -13,30 +16,17 @@ namespace umbrameter {
 
 namespace {
 
-constexpr float kLargest = std::numeric_limits<float>::max();
-constexpr std::array kVectorChannels = {"position.x", "position.y", "position.z",
-                                        "normal.x",   "normal.y",   "normal.z"};
-
 struct Surface {
-  std::array<std::span<const float>, 3> position, normal;
-  std::span<const float> primitive, irradiance;
-
-  bool hit(size_t i) const { return primitive[i] >= 0.0f; }
+  SurfaceView view;
+  std::span<const float> irradiance;
 };
 
-// Only what is hit has a position: elsewhere a renderer may leave anything.
-Surface checked_surface(const Image& image) {
-  const std::vector<uint8_t> everywhere(image.pixel_count(), 1);
-  require_range(image, "primitive_id", everywhere, -1.0f, kLargest);
-  const std::span<const float> primitive = image.plane("primitive_id");
+Surface checked_lit_surface(const Image& image) {
+  const SurfaceView view = checked_surface(image);
   std::vector<uint8_t> hit(image.pixel_count());
-  for (size_t i = 0; i < hit.size(); ++i) hit[i] = primitive[i] >= 0.0f ? 1 : 0;
-  for (const char* channel : kVectorChannels) require_range(image, channel, hit, -kLargest, kLargest);
-  require_range(image, "unshadowed_irradiance", hit, 0.0f, kLargest);
-  return {{image.plane("position.x"), image.plane("position.y"), image.plane("position.z")},
-          {image.plane("normal.x"), image.plane("normal.y"), image.plane("normal.z")},
-          primitive,
-          image.plane("unshadowed_irradiance")};
+  for (size_t i = 0; i < hit.size(); ++i) hit[i] = view.hit(i) ? 1 : 0;
+  require_range(image, "unshadowed_irradiance", hit, 0.0f, std::numeric_limits<float>::max());
+  return {view, image.plane("unshadowed_irradiance")};
 }
 
 float largest_irradiance(std::span<const float> primitive, std::span<const float> irradiance) {
@@ -47,36 +37,25 @@ float largest_irradiance(std::span<const float> primitive, std::span<const float
   return largest;
 }
 
-double relative_distance(const Surface& test, const Surface& reference, size_t i, const double eye_world[3]) {
-  double apart_squared = 0.0, range_squared = 0.0;
-  for (size_t axis = 0; axis < 3; ++axis) {
-    const double at = reference.position[axis][i];
-    apart_squared += std::pow(test.position[axis][i] - at, 2);
-    range_squared += std::pow(at - eye_world[axis], 2);
-  }
-  if (apart_squared == 0.0) return 0.0;
-  return std::sqrt(apart_squared / range_squared);
-}
-
-double cosine_between_normals(const Surface& test, const Surface& reference, size_t i) {
-  double dot = 0.0;
-  for (size_t axis = 0; axis < 3; ++axis) {
-    dot += static_cast<double>(test.normal[axis][i]) * reference.normal[axis][i];
-  }
-  return dot;
+double relative_distance(const Surface& test, const Surface& reference, size_t i,
+                         const glm::dvec3& eye_world) {
+  const glm::dvec3 at = reference.view.p_world(i);
+  const double apart = glm::length(test.view.p_world(i) - at);
+  return apart == 0.0 ? 0.0 : apart / glm::length(at - eye_world);
 }
 
 struct Judge {
   Surface test, reference;
-  const double* eye_world;
+  glm::dvec3 eye_world;
   ParityTolerance tolerance;
   double cosine_limit;
   double irradiance_slack;
 
+  bool same_primitive(size_t i) const { return test.view.primitive[i] == reference.view.primitive[i]; }
   bool same_surface(size_t i, double relative_depth_error) const {
-    if (test.primitive[i] == reference.primitive[i]) return true;
+    if (same_primitive(i)) return true;
     return relative_depth_error <= tolerance.relative_depth &&
-           cosine_between_normals(test, reference, i) >= cosine_limit;
+           glm::dot(test.view.n_world(i), reference.view.n_world(i)) >= cosine_limit;
   }
   bool same_irradiance(size_t i) const {
     const double expected = reference.irradiance[i];
@@ -92,12 +71,12 @@ struct TileCounts {
 };
 
 ParityClass classify(const Judge& judge, size_t i, TileCounts& counts) {
-  const bool hit_test = judge.test.hit(i), hit_reference = judge.reference.hit(i);
+  const bool hit_test = judge.test.view.hit(i), hit_reference = judge.reference.view.hit(i);
   if (!hit_test && !hit_reference) return ParityClass::background;
   if (hit_test != hit_reference) return ParityClass::coverage;
   const double depth_error = relative_distance(judge.test, judge.reference, i, judge.eye_world);
   counts.depth_errors.push_back(static_cast<float>(depth_error));
-  if (judge.test.primitive[i] == judge.reference.primitive[i]) ++counts.same_primitive;
+  if (judge.same_primitive(i)) ++counts.same_primitive;
   if (!judge.same_surface(i, depth_error)) return ParityClass::surface;
   if (!judge.same_irradiance(i)) return ParityClass::irradiance;
   return ParityClass::agrees;
@@ -115,13 +94,13 @@ double median(std::vector<float>& values) {
 Parity compare_surfaces(const Image& test, const Image& reference, const double eye_world[3],
                         const ParityTolerance& tolerance) {
   require_same_size(test, reference, "parity");
-  const Surface reference_surface = checked_surface(reference);
-  const Judge judge = {.test = checked_surface(test),
+  const Surface reference_surface = checked_lit_surface(reference);
+  const Judge judge = {.test = checked_lit_surface(test),
                        .reference = reference_surface,
-                       .eye_world = eye_world,
+                       .eye_world = {eye_world[0], eye_world[1], eye_world[2]},
                        .tolerance = tolerance,
                        .cosine_limit = std::cos(tolerance.normal_deg * std::numbers::pi / 180.0),
-                       .irradiance_slack = 1e-4 * largest_irradiance(reference_surface.primitive,
+                       .irradiance_slack = 1e-4 * largest_irradiance(reference_surface.view.primitive,
                                                                      reference_surface.irradiance)};
 
   Parity out;

@@ -1,0 +1,74 @@
+#pragma once
+// How wide a technique's penumbrae are, and where their edges lie, against the truth (METRICS 5a, 6.5). The
+// definition is ours: no accepted one exists. docs/metrics.md explains the choices.
+
+#include "core/image.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace umbrameter {
+
+struct PenumbraSettings {
+  int seed_spacing_px = 8;    // at most one profile a cell of this size
+  double reach = 0.99;        // a reference without both plateaus must span 1 - reach .. reach
+  double test_reach = 0.85;   // and the test's this much: a constant bleed is no width error
+  double min_width_px = 3.0;  // narrower ones are mostly pixel
+  int max_length_px = 512;    // of a walk to either side of the ridge
+  double max_test_rms = 0.1;  // from the test's monotone fit; above, it is too noisy or not an edge
+};
+
+/// What became of a profile; the reference is judged before the test.
+enum class ProfileOutcome : uint8_t {
+  accepted,
+  no_ridge,           // penumbra whose visibility does not cross .5 (umbra-less)
+  discontinuity,      // the surface, the image or the mask ends inside the penumbra
+  unreached,          // turns round or runs on before full light and full shadow: penumbrae overlap
+  not_monotone,       // residual of the monotone fit above three standard errors
+  too_narrow,         // less than min_width_px
+  test_unreached,     // the test has no edge there
+  test_not_monotone,  // the test's residual is above max_test_rms
+};
+inline constexpr size_t kProfileOutcomes = 8;
+
+/// One walk along the gradient of the reference's visibility on the receiver. Widths are those of a box ramp
+/// of equal second moment: a rectangular light with an edge along the blocker gives its penumbra width w, a
+/// disk .866 w.
+struct PenumbraProfile {
+  int x = 0, y = 0;  // pixel on the ridge, visibility about .5
+  ProfileOutcome outcome = ProfileOutcome::accepted;
+  double reference_width_px = 0.0;  // along the walk; from the slope on the ridge when not measured
+  double reference_width_world = 0.0;
+  double reference_width_10_90_world = 0.0;
+  double test_width_world = 0.0;  // from here on only when accepted
+  double test_width_10_90_world = 0.0;
+  double offset_world = 0.0;  // of the test's half-way point, positive towards the light: shadow too large
+};
+
+struct Spread {
+  double median = 0.0, p5 = 0.0, p95 = 0.0;
+  double rmse = 0.0;  // root mean square, from 0
+};
+
+/// Absent spreads: no profile was accepted.
+struct PenumbraError {
+  std::vector<PenumbraProfile> profiles;  // every seed, in reading order of the cells
+  std::array<size_t, kProfileOutcomes> outcomes{};
+  std::optional<Spread> width_octaves;  // log2(test / reference)
+  std::optional<Spread> width_10_90_octaves;
+  std::optional<Spread> offset_world;
+};
+
+/// Walks from pixels on the ridge (visibility .5) of `reference` over its receiver and compares the monotone
+/// fits of both visibilities. Needs visibility in both, visibility_se, position, normal and primitive_id in
+/// the reference. Error{input} on size mismatch, missing channels, NaN, values outside [0,1].
+PenumbraError measure_penumbra(const Image& test, const Image& reference, std::span<const uint8_t> mask,
+                               const PenumbraSettings& settings = {});
+
+/// 5 %, 50 % and 95 % quantiles and root mean square; absent for no values.
+std::optional<Spread> spread_of(std::vector<double> values);
+
+}  // namespace umbrameter
