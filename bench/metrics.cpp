@@ -1,5 +1,7 @@
 // Milliseconds a megapixel of each metric, on one and two threads, over a synthetic 1920x1080 pair.
+#include "metrics/envelope.h"
 #include "metrics/parity.h"
+#include "metrics/penumbra.h"
 #include "metrics/visibility_error.h"
 
 #include <benchmark/benchmark.h>
@@ -88,8 +90,20 @@ void visibility_error(benchmark::State& state) {
   measure(state, [](const Pair& p) { return measure_visibility_error(p.test, p.reference, p.mask); });
 }
 
+void penumbra(benchmark::State& state) {
+  measure(state, [](const Pair& p) { return measure_penumbra(p.test, p.reference, p.mask); });
+}
+
+void envelope(benchmark::State& state) {
+  static const PenumbraError penumbra = measure_penumbra(pair().test, pair().reference, pair().mask);
+  measure(state,
+          [](const Pair& p) { return measure_envelope(p.test, p.reference, p.mask, penumbra.profiles); });
+}
+
 BENCHMARK(parity)->ArgName("threads")->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(visibility_error)->ArgName("threads")->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(penumbra)->ArgName("threads")->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(envelope)->ArgName("threads")->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
 }  // namespace umbrameter
