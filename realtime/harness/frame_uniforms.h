@@ -6,8 +6,14 @@
 #include "scenes/scene.h"
 
 #include <cstdint>
+#include <string_view>
 
 namespace umbrameter {
+
+/// Declares `frame` in a shader; needs shaders/shared among the search folders.
+inline constexpr std::string_view kFrameBlockGlsl =
+    "#include \"frame_data.h\"\nlayout(std140, binding = 0) uniform FrameBlock { FrameData frame; };\n";
+inline constexpr unsigned kFrameBinding = 0;
 
 /// For the scene's camera and active light.
 FrameData make_frame_data(const Scene& scene, int width_px, int height_px, uint64_t seed);

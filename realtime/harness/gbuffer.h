@@ -41,10 +41,12 @@ class GBufferRenderer {
   void render(const Scene& scene, const SceneBuffers& buffers, const GBuffer& target);
 
  private:
-  std::shared_ptr<const Program> geometry_;
-  std::shared_ptr<const Program> irradiance_;
+  std::shared_ptr<const Program> visible_triangle_;
+  std::shared_ptr<const Program> surface_;
   Buffer frame_block_;
   Buffer gbuffer_block_;
+  Buffer light_points_;
+  Sampler nearest_{SamplerSettings{}};
   VertexArray no_attributes_;
   int subpixel_bits_ = 8;
 };
