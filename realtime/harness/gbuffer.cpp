@@ -1,0 +1,142 @@
+#include "realtime/harness/gbuffer.h"
+
+#include "core/sampling/patterns.h"
+#include "realtime/harness/draw.h"
+#include "realtime/harness/frame_uniforms.h"
+#include "realtime/harness/readback.h"
+
+#include <glm/trigonometric.hpp>
+
+#include <array>
+#include <cmath>
+
+namespace umbrameter {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// gbuffer/camera.glsl GBufferBlock.
+struct GBufferData {
+  glm::vec4 right_world;
+  glm::vec4 up_world;
+  glm::vec4 forward_world;
+  glm::vec4 eye_world_low;
+  glm::vec4 screen_px;
+  glm::ivec4 has_normals;
+};
+
+constexpr GLuint kGBufferBinding = 1;
+constexpr GLuint kLightPointsBinding = 2;
+constexpr size_t kLightPoints = 256;        // gbuffer/irradiance.glsl
+constexpr double kGrowthInSubpixels = 2.0;  // snapping moves an edge by less than one
+
+glm::vec4 with(const glm::dvec3& v, double w) {
+  return glm::vec4(glm::vec3(v), static_cast<float>(w));
+}
+
+GBufferData make_gbuffer_data(const Scene& scene, const GBuffer& target, int subpixel_bits) {
+  const Camera& camera = scene.camera;
+  const glm::dmat4 world_from_view = glm::transpose(view_from_world(camera));  // rotation part only
+  const double tan_half_height = std::tan(0.5 * glm::radians(camera.vertical_fov_deg));
+  const double tan_half_width = tan_half_height * target.width() / target.height();
+  const double growth_px = std::ldexp(kGrowthInSubpixels, -subpixel_bits);
+  GBufferData data{};
+  data.right_world = with(world_from_view[0], tan_half_width);
+  data.up_world = with(world_from_view[1], tan_half_height);
+  data.forward_world = with(-glm::dvec3(world_from_view[2]), camera.near_world);
+  data.eye_world_low = with(camera.eye_world - glm::dvec3(glm::vec3(camera.eye_world)), 0.0);
+  data.screen_px = glm::vec4(target.width(), target.height(), growth_px, 0.0);
+  data.has_normals = glm::ivec4(scene.normals_world.empty() ? 0 : 1, 0, 0, 0);
+  return data;
+}
+
+/// An evenly spread set: all its coordinates differ, so that a light cut by the horizon is cut smoothly.
+std::array<glm::vec2, kLightPoints> make_light_points(LightType type) {
+  constexpr glm::vec2 kHalfStep(0.0f, 0.5f / kLightPoints);
+  std::array<glm::vec2, kLightPoints> points;
+  for (uint32_t i = 0; i < kLightPoints; ++i) {
+    const glm::vec2 uv = hammersley(i, kLightPoints) + kHalfStep;
+    points[i] = type == LightType::rect ? 2.0f * uv - 1.0f : concentric_disk(uv);
+  }
+  return points;
+}
+
+std::shared_ptr<const Program> load(ProgramCache& programs, const fs::path& vertex,
+                                    const fs::path& fragment) {
+  const std::string prelude(kFrameBlockGlsl);
+  const std::array<ShaderFile, 2> stages = {
+      {{ShaderStage::vertex, vertex, prelude}, {ShaderStage::fragment, fragment, prelude}}};
+  return programs.get(stages);
+}
+
+}  // namespace
+
+GBuffer::GBuffer(int width_px, int height_px)
+    : position(find_texture_format("rgba32f"), width_px, height_px, "gbuffer.position"),
+      normal(find_texture_format("rgba32f"), width_px, height_px, "gbuffer.normal"),
+      shading_normal(find_texture_format("rgba32f"), width_px, height_px, "gbuffer.shading_normal"),
+      primitive_id(find_texture_format("r32ui"), width_px, height_px, "gbuffer.primitive_id"),
+      unshadowed_irradiance(find_texture_format("r32f"), width_px, height_px,
+                            "gbuffer.unshadowed_irradiance"),
+      depth(find_texture_format("depth32f"), width_px, height_px, "gbuffer.depth") {}
+
+size_t GBuffer::bytes() const {
+  return position.bytes() + normal.bytes() + shading_normal.bytes() + primitive_id.bytes() +
+         unshadowed_irradiance.bytes() + depth.bytes();
+}
+
+GBufferRenderer::GBufferRenderer(ProgramCache& programs, const fs::path& shaders_folder,
+                                 const GlLimits& limits)
+    : visible_triangle_(load(programs, shaders_folder / "gbuffer" / "visible_triangle.vert",
+                             shaders_folder / "gbuffer" / "visible_triangle.frag")),
+      surface_(load(programs, shaders_folder / "lib" / "fullscreen.vert",
+                    shaders_folder / "gbuffer" / "surface.frag")),
+      frame_block_(sizeof(FrameData), nullptr, true),
+      gbuffer_block_(sizeof(GBufferData), nullptr, true),
+      light_points_(kLightPoints * sizeof(glm::vec2), nullptr, true),
+      no_attributes_(make_empty_vertex_array()),
+      subpixel_bits_(limits.subpixel_bits) {}
+
+void GBufferRenderer::render(const Scene& scene, const SceneBuffers& buffers, const GBuffer& target) {
+  const FrameData frame = make_frame_data(scene, target.width(), target.height(), 0);
+  const GBufferData gbuffer = make_gbuffer_data(scene, target, subpixel_bits_);
+  const auto points = make_light_points(scene.light().type);
+  frame_block_.update(&frame, sizeof frame);
+  gbuffer_block_.update(&gbuffer, sizeof gbuffer);
+  light_points_.update(points.data(), sizeof points);
+  bind_uniform_buffer(kFrameBinding, frame_block_);
+  bind_uniform_buffer(kGBufferBinding, gbuffer_block_);
+  bind_uniform_buffer(kLightPointsBinding, light_points_);
+  buffers.bind_storage();
+  set_default_state();
+
+  const std::array<const Texture*, 1> identity = {&target.primitive_id};
+  const Framebuffer triangle_target(identity, &target.depth);
+  clear_texture(target.primitive_id, std::array{static_cast<double>(kNoPrimitive)});
+  clear_texture(target.depth, std::array{0.0});
+  triangle_target.bind();
+  visible_triangle_->use();
+  buffers.draw_pulled();
+
+  const std::array<const Texture*, 4> surfaces = {&target.position, &target.normal, &target.shading_normal,
+                                                  &target.unshadowed_irradiance};
+  const Framebuffer surface_target(surfaces, nullptr);
+  surface_target.bind();
+  bind_texture(0, target.primitive_id, nearest_);
+  surface_->use();
+  draw_fullscreen(no_attributes_);
+  check_gl_errors("drawing the G-buffer");
+}
+
+void read_gbuffer(const GBuffer& gbuffer, Image& image) {
+  read_texture(gbuffer.position, std::array<std::string, 3>{"position.x", "position.y", "position.z"}, image);
+  read_texture(gbuffer.normal, std::array<std::string, 3>{"normal.x", "normal.y", "normal.z"}, image);
+  read_texture(gbuffer.shading_normal,
+               std::array<std::string, 3>{"shading_normal.x", "shading_normal.y", "shading_normal.z"}, image);
+  read_texture(gbuffer.primitive_id, std::array<std::string, 1>{"primitive_id"}, image);
+  read_texture(gbuffer.unshadowed_irradiance, std::array<std::string, 1>{"unshadowed_irradiance"}, image);
+  check_gl_errors("reading the G-buffer");
+}
+
+}  // namespace umbrameter
