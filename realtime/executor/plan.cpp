@@ -1,0 +1,227 @@
+#include "realtime/executor/plan.h"
+
+#include "realtime/executor/prelude.h"
+#include "realtime/harness/frame_uniforms.h"
+#include "realtime/manifest/names.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace umbrameter {
+namespace {
+
+/// Collects uniform blocks, each at an offset every GL accepts (256 is the largest alignment allowed).
+class UniformStore {
+ public:
+  UniformRange add(GLuint binding, const void* data, size_t bytes) {
+    constexpr size_t kAlignment = 256;
+    constexpr size_t kBlockUnit = 16;  // std140 rounds a block's size up to a vec4
+    const size_t offset = bytes_.size();
+    const size_t block_bytes = (bytes + kBlockUnit - 1) / kBlockUnit * kBlockUnit;
+    bytes_.resize(offset + (block_bytes + kAlignment - 1) / kAlignment * kAlignment);
+    std::memcpy(bytes_.data() + offset, data, bytes);
+    return {binding, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(block_bytes)};
+  }
+  Buffer upload() const { return Buffer(bytes_.size(), bytes_.data()); }
+
+ private:
+  std::vector<std::byte> bytes_;
+};
+
+struct Loop {
+  std::string variable;
+  int64_t index = 0;
+  int64_t count = 0;
+};
+
+class Planner {
+ public:
+  Planner(const RunInputs& inputs, ProgramCache& programs)
+      : inputs_(inputs), programs_(programs), views_(inputs), variables_(run_variables(inputs)) {
+    plan_.targets = std::make_unique<Targets>(inputs, variables_);
+  }
+
+  Plan make() {
+    const FrameData frame =
+        make_frame_data(inputs_.scene, inputs_.gbuffer.width(), inputs_.gbuffer.height(), inputs_.seed);
+    plan_.frame_uniforms.push_back(store_.add(kFrameBinding, &frame, sizeof(frame)));
+    const std::vector<std::byte> parameters = parameter_block(inputs_.technique, inputs_.values);
+    if (!parameters.empty()) {
+      plan_.frame_uniforms.push_back(store_.add(kParameterBinding, parameters.data(), parameters.size()));
+    }
+    add_passes(inputs_.technique.passes);
+    require_visibility();
+    plan_.uniforms = store_.upload();
+    plan_.center_view = views_.center();
+    return std::move(plan_);
+  }
+
+ private:
+  void add_passes(const std::vector<PassDeclaration>& passes) {
+    for (const PassDeclaration& pass : passes) {
+      if (!holds(pass.condition, variables_, pass.where)) continue;
+      if (pass.kind == "loop") {
+        add_loop(pass);
+      } else {
+        add_step(pass);
+      }
+    }
+  }
+
+  void add_loop(const PassDeclaration& pass) {
+    const auto count = whole_number(pass.loop_count, variables_, 0, static_cast<int64_t>(kMaxSteps),
+                                    fmt::format("count of loop '{}'", pass.id));
+    variables_[pass.loop_variable + "_count"] = static_cast<double>(count);
+    loops_.push_back({pass.loop_variable, 0, count});
+    for (int64_t index = 0; index < count; ++index) {
+      variables_[pass.loop_variable] = static_cast<double>(index);
+      loops_.back().index = index;
+      add_passes(pass.body);
+    }
+    loops_.pop_back();
+    variables_.erase(pass.loop_variable);
+    variables_.erase(pass.loop_variable + "_count");
+  }
+
+  void add_step(const PassDeclaration& pass) {
+    if (plan_.steps.size() == kMaxSteps) {
+      fail_input(
+          fmt::format("technique '{}' would draw more than {} passes", inputs_.technique.id, kMaxSteps),
+          pass.where, "lower a loop's count");
+    }
+    Step step;
+    step.pass = prepared_index(pass);
+    add_loop_block(step);
+    GLuint binding = kFirstViewBinding;
+    for (const std::string& name : pass_views(pass)) {
+      const FittedView& fitted = views_.get(name, variables_);
+      step.uniforms.push_back(view_range(binding++, fitted));
+      if (name == pass.view) step.mirrors = fitted.mirrors;
+    }
+    plan_.steps.push_back(std::move(step));
+  }
+
+  void add_loop_block(Step& step) {
+    if (loops_.empty()) return;
+    std::vector<int32_t> values;
+    for (const Loop& loop : loops_) {
+      values.push_back(static_cast<int32_t>(loop.index));
+      values.push_back(static_cast<int32_t>(loop.count));
+    }
+    step.uniforms.push_back(store_.add(kLoopBinding, values.data(), values.size() * sizeof(int32_t)));
+  }
+
+  UniformRange view_range(GLuint binding, const FittedView& fitted) {
+    const auto known = view_ranges_.find(&fitted);
+    UniformRange range =
+        known != view_ranges_.end() ? known->second : store_.add(0, &fitted.data, sizeof(fitted.data));
+    view_ranges_[&fitted] = range;
+    range.binding = binding;
+    return range;
+  }
+
+  size_t prepared_index(const PassDeclaration& pass) {
+    const auto found = std::ranges::find(plan_.passes, &pass, &PreparedPass::declaration);
+    if (found != plan_.passes.end()) return static_cast<size_t>(found - plan_.passes.begin());
+    plan_.passes.push_back(prepare(pass));
+    return plan_.passes.size() - 1;
+  }
+
+  PreparedPass prepare(const PassDeclaration& pass) {
+    PreparedPass prepared;
+    prepared.declaration = &pass;
+    attach_targets(pass, prepared);
+    for (size_t unit = 0; unit < pass.reads.size(); ++unit) {
+      const Target* target = plan_.targets->find(pass.reads[unit]);
+      if (target != nullptr) prepared.textures.emplace_back(static_cast<GLuint>(unit), target);
+    }
+    prepared.program = compile(pass);
+    for (const std::string& warning : prepared.program->warnings()) {
+      if (std::ranges::find(plan_.warnings, warning) == plan_.warnings.end())
+        plan_.warnings.push_back(warning);
+    }
+    prepared.label = label_index(pass.timer.empty() ? pass.id : pass.timer);
+    return prepared;
+  }
+
+  void attach_targets(const PassDeclaration& pass, PreparedPass& prepared) {
+    std::vector<const Texture*> colors;
+    const Texture* depth = nullptr;
+    for (const std::string& name : pass.writes) {
+      const Target* target = plan_.targets->find(name);
+      if (target == nullptr) {
+        fail_input(fmt::format("pass '{}' writes '{}', whose condition does not hold", pass.id, name),
+                   pass.where, "give the pass the same condition");
+      }
+      const Texture& texture = *target->texture;
+      const Texture* first = colors.empty() ? depth : colors.front();
+      if (first != nullptr && (first->width() != texture.width() || first->height() != texture.height())) {
+        fail_input(
+            fmt::format("pass '{}' writes targets of different size: '{}' is {}x{}, another {}x{}", pass.id,
+                        name, texture.width(), texture.height(), first->width(), first->height()),
+            pass.where);
+      }
+      if (texture.format().is_depth) {
+        depth = &texture;
+      } else {
+        colors.push_back(&texture);
+        prepared.color_formats.push_back(&texture.format());
+      }
+    }
+    prepared.has_depth = depth != nullptr;
+    prepared.framebuffer = Framebuffer(colors, depth);
+  }
+
+  std::shared_ptr<const Program> compile(const PassDeclaration& pass) {
+    PreludeInputs prelude{inputs_.technique, inputs_.values, pass, {}, {}};
+    for (const Loop& loop : loops_) prelude.loop_variables.push_back(loop.variable);
+    prelude.format_of = [this](const std::string& name) {
+      const Target* target = plan_.targets->find(name);
+      return target == nullptr ? nullptr : &target->texture->format();
+    };
+    std::string vertex = pass.vertex;
+    if (vertex.empty()) vertex = pass.kind == "scene" ? "light_map.vert" : "fullscreen.vert";
+    const auto file = [&](const std::string& name) {
+      return find_shader(name, inputs_.technique.folder, inputs_.shaders_folder, pass.where);
+    };
+    std::vector<ShaderFile> stages = {{ShaderStage::vertex, file(vertex), vertex_prelude(prelude)}};
+    if (!pass.fragment.empty()) {
+      stages.push_back({ShaderStage::fragment, file(pass.fragment), fragment_prelude(prelude)});
+    }
+    return programs_.get(stages);
+  }
+
+  size_t label_index(const std::string& label) {
+    const auto found = std::ranges::find(plan_.labels, label);
+    if (found != plan_.labels.end()) return static_cast<size_t>(found - plan_.labels.begin());
+    plan_.labels.push_back(label);
+    return plan_.labels.size() - 1;
+  }
+
+  void require_visibility() const {
+    for (const PreparedPass& pass : plan_.passes) {
+      if (std::ranges::find(pass.declaration->writes, kVisibility) != pass.declaration->writes.end()) return;
+    }
+    fail_input(
+        fmt::format("technique '{}' writes no 'visibility' with these parameters", inputs_.technique.id),
+        {(inputs_.technique.folder / "technique.toml").string(), 0, 0},
+        "the conditions leave out every pass that would");
+  }
+
+  const RunInputs& inputs_;
+  ProgramCache& programs_;
+  RunViews views_;
+  ExpressionVariables variables_;
+  UniformStore store_;
+  std::map<const FittedView*, UniformRange> view_ranges_;
+  std::vector<Loop> loops_;
+  Plan plan_;
+};
+
+}  // namespace
+
+Plan make_plan(const RunInputs& inputs, ProgramCache& programs) {
+  return Planner(inputs, programs).make();
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,56 @@
+#pragma once
+// A run as a flat list of draws: loops unrolled, programs compiled, textures made, all uniform data in one
+// buffer. Executing it only binds and draws.
+
+#include "realtime/executor/run_views.h"
+#include "realtime/executor/targets.h"
+#include "realtime/harness/program.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace umbrameter {
+
+/// A pass with everything that is the same in all its iterations.
+struct PreparedPass {
+  const PassDeclaration* declaration = nullptr;
+  std::shared_ptr<const Program> program;
+  Framebuffer framebuffer;
+  std::vector<const TextureFormat*> color_formats;
+  bool has_depth = false;
+  std::vector<std::pair<GLuint, const Target*>> textures;  // by unit
+  size_t label = 0;                                        // in Plan::labels
+};
+
+/// A range of the plan's uniform buffer.
+struct UniformRange {
+  GLuint binding = 0;
+  GLintptr offset = 0;
+  GLsizeiptr bytes = 0;
+};
+
+struct Step {
+  size_t pass = 0;  // in Plan::passes
+  std::vector<UniformRange> uniforms;
+  bool mirrors = false;
+};
+
+struct Plan {
+  std::unique_ptr<Targets> targets;
+  std::vector<PreparedPass> passes;
+  std::vector<Step> steps;
+  std::vector<std::string> labels;  // of timers
+  std::vector<UniformRange> frame_uniforms;
+  Buffer uniforms;
+  std::optional<LightView> center_view;
+  std::vector<std::string> warnings;  // the GLSL compiler's
+};
+
+/// More draws than this are refused.
+inline constexpr size_t kMaxSteps = size_t{1} << 18;
+
+/// Error{input} for sizes, counts and shaders that do not work.
+Plan make_plan(const RunInputs& inputs, ProgramCache& programs);
+
+}  // namespace umbrameter

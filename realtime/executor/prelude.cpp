@@ -1,0 +1,141 @@
+#include "realtime/executor/prelude.h"
+
+#include "realtime/harness/frame_uniforms.h"
+#include "realtime/harness/objects.h"
+#include "realtime/manifest/names.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace umbrameter {
+namespace {
+
+std::string glsl_literal(const Parameter& parameter, double value) {
+  std::string text = fmt::format("{}", value);
+  if (parameter.type == ParameterType::real && text.find_first_of(".e") == std::string::npos) text += ".0";
+  return value < 0.0 ? fmt::format("({})", text) : text;
+}
+
+std::string defines(const Technique& technique, const ParameterValues& values) {
+  std::string text;
+  for (const Parameter& parameter : technique.parameters) {
+    const std::string macro = macro_name(parameter.name);
+    if (parameter.stage == ParameterStage::define) {
+      const double value = numeric_value(parameter, values.at(parameter.name));
+      text += fmt::format("#define {} {}\n", macro, glsl_literal(parameter, value));
+    }
+    for (size_t k = 0; k < parameter.choices.size(); ++k) {
+      text += fmt::format("#define {}_{} {}\n", macro, macro_name(parameter.choices[k]), k);
+    }
+  }
+  return text;
+}
+
+std::string block(std::string_view name, unsigned binding, const std::string& members) {
+  if (members.empty()) return {};
+  return fmt::format("layout(std140, binding = {}) uniform {} {{ {}}};\n", binding, name, members);
+}
+
+std::string uniform_blocks(const PreludeInputs& inputs) {
+  std::string parameters;
+  for (const Parameter& parameter : inputs.technique.parameters) {
+    if (parameter.stage != ParameterStage::uniform) continue;
+    parameters +=
+        fmt::format("{} {}; ", parameter.type == ParameterType::real ? "float" : "int", parameter.name);
+  }
+  std::string loops;
+  for (const std::string& variable : inputs.loop_variables)
+    loops += fmt::format("int {0}; int {0}_count; ", variable);
+  return block("ParameterBlock", kParameterBinding, parameters) + block("LoopBlock", kLoopBinding, loops);
+}
+
+std::string view_blocks(const PassDeclaration& pass) {
+  std::string text;
+  unsigned binding = kFirstViewBinding;
+  for (const std::string& view : pass_views(pass)) {
+    text +=
+        fmt::format("layout(std140, binding = {0}) uniform ViewBlock_{1} {{ LightViewData view_{1}; }};\n",
+                    binding++, view);
+  }
+  if (!pass.view.empty()) text += fmt::format("#define VIEW view_{}\n", pass.view);
+  return text;
+}
+
+bool is_compared(const Technique& technique, const std::string& name) {
+  const auto found = std::ranges::find(technique.resources, name, &ResourceDeclaration::name);
+  return found != technique.resources.end() && found->compare;
+}
+
+/// The sampler of a resource that this run leaves out is not declared: a shader that reads it does not
+/// compile.
+std::string samplers(const PreludeInputs& inputs) {
+  std::string text;
+  for (size_t unit = 0; unit < inputs.pass.reads.size(); ++unit) {
+    const std::string& read = inputs.pass.reads[unit];
+    const TextureFormat* format = inputs.format_of(read);
+    if (format == nullptr) continue;
+    const std::string_view sampler = is_compared(inputs.technique, read) ? "sampler2DShadow"
+                                     : format->is_integer                ? "usampler2D"
+                                                                         : "sampler2D";
+    const std::string name = glsl_name(read);
+    text += fmt::format("layout(binding = {}) uniform {} {};\n", unit, sampler, name);
+    text += fmt::format("#define {0}_size vec4(vec2(textureSize({0}, 0)), 1.0 / vec2(textureSize({0}, 0)))\n",
+                        name);
+  }
+  return text;
+}
+
+std::string_view output_type(const TextureFormat& format) {
+  if (format.is_integer) return "uint";
+  if (format.components == 1) return "float";
+  return format.components == 2 ? "vec2" : "vec4";
+}
+
+std::string outputs(const PreludeInputs& inputs) {
+  std::string text;
+  int location = 0;
+  for (const std::string& write : inputs.pass.writes) {
+    const TextureFormat* format = inputs.format_of(write);
+    if (format == nullptr || format->is_depth) continue;
+    text += fmt::format("layout(location = {}) out {} out_{};\n", location++, output_type(*format), write);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string vertex_prelude(const PreludeInputs& inputs) {
+  return defines(inputs.technique, inputs.values) + std::string(kFrameBlockGlsl) + uniform_blocks(inputs) +
+         view_blocks(inputs.pass) + samplers(inputs);
+}
+
+std::string fragment_prelude(const PreludeInputs& inputs) {
+  return vertex_prelude(inputs) + outputs(inputs);
+}
+
+std::vector<std::string> pass_views(const PassDeclaration& pass) {
+  std::vector<std::string> views = pass.views;
+  if (!pass.view.empty() && std::ranges::find(views, pass.view) == views.end()) views.push_back(pass.view);
+  return views;
+}
+
+std::vector<std::byte> parameter_block(const Technique& technique, const ParameterValues& values) {
+  std::vector<std::byte> bytes;
+  const auto append = [&bytes](const auto& value) {  // std140: scalars follow each other without gaps
+    static_assert(sizeof(value) == 4);
+    bytes.resize(bytes.size() + sizeof(value));
+    std::memcpy(bytes.data() + bytes.size() - sizeof(value), &value, sizeof(value));
+  };
+  for (const Parameter& parameter : technique.parameters) {
+    if (parameter.stage != ParameterStage::uniform) continue;
+    const double value = numeric_value(parameter, values.at(parameter.name));
+    if (parameter.type == ParameterType::real) {
+      append(static_cast<float>(value));
+    } else {
+      append(static_cast<int32_t>(value));
+    }
+  }
+  return bytes;
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,41 @@
+#pragma once
+// The text put before every technique shader: defines, uniform blocks, samplers and outputs, generated from
+// the manifest (docs/technique-manifest.md, "What a shader sees"). No GL calls.
+
+#include "realtime/manifest/technique.h"
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace umbrameter {
+
+struct TextureFormat;  // realtime/harness/objects.h
+
+/// Uniform buffer bindings of the prelude's blocks, after kFrameBinding of realtime/harness/frame_uniforms.h.
+inline constexpr unsigned kParameterBinding = 1;
+inline constexpr unsigned kLoopBinding = 2;
+inline constexpr unsigned kFirstViewBinding = 3;
+
+struct PreludeInputs {
+  const Technique& technique;
+  const ParameterValues& values;
+  const PassDeclaration& pass;
+  std::vector<std::string> loop_variables;  // outermost first
+  /// Format of a resource or built-in that exists in this run, else null.
+  std::function<const TextureFormat*(const std::string&)> format_of;
+};
+
+/// Before a vertex shader, and (with the outputs) before a fragment shader.
+std::string vertex_prelude(const PreludeInputs& inputs);
+std::string fragment_prelude(const PreludeInputs& inputs);
+
+/// The views whose blocks the pass sees: `views`, then `view` unless listed. Block k is at kFirstViewBinding
+/// + k.
+std::vector<std::string> pass_views(const PassDeclaration& pass);
+
+/// The parameter block as the GPU wants it; empty when the technique has no uniform parameters.
+std::vector<std::byte> parameter_block(const Technique& technique, const ParameterValues& values);
+
+}  // namespace umbrameter

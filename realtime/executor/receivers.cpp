@@ -1,0 +1,66 @@
+#include "realtime/executor/receivers.h"
+
+#include <glm/common.hpp>
+#include <glm/vec2.hpp>
+
+#include <limits>
+
+namespace umbrameter {
+namespace {
+
+/// Read access to the receivers of a G-buffer image.
+struct Receivers {
+  std::span<const float> x, y, z, id, irradiance;
+
+  explicit Receivers(const Image& image)
+      : x(image.plane("position.x")),
+        y(image.plane("position.y")),
+        z(image.plane("position.z")),
+        id(image.plane("primitive_id")),
+        irradiance(image.plane("unshadowed_irradiance")) {}
+  bool is_receiver(size_t pixel) const { return id[pixel] >= 0.0f && irradiance[pixel] > 0.0f; }
+  glm::vec3 p_world(size_t pixel) const { return {x[pixel], y[pixel], z[pixel]}; }
+};
+
+bool is_outside(const LightView& view, const glm::dvec3& p_world) {
+  const glm::dvec3 p = lateral_and_distance(view, p_world);
+  if (!view.is_orthographic && p.z <= 0.0) return true;
+  const glm::dvec4 bounds(view.lateral_bounds);
+  return p.x < bounds.x || p.y < bounds.y || p.x > bounds.z || p.y > bounds.w;
+}
+
+}  // namespace
+
+std::vector<ReceiverTile> receiver_tiles(const Image& gbuffer) {
+  const Receivers receivers(gbuffer);
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  const auto tiles_of = [](int px) {
+    return static_cast<size_t>((px + kReceiverTilePx - 1) / kReceiverTilePx);
+  };
+  const size_t columns = tiles_of(gbuffer.width);
+  std::vector<ReceiverTile> tiles(columns * tiles_of(gbuffer.height),
+                                  ReceiverTile{glm::vec3(kInfinity), glm::vec3(-kInfinity)});
+  const auto width = static_cast<size_t>(gbuffer.width);
+  for (size_t pixel = 0; pixel < gbuffer.pixel_count(); ++pixel) {
+    if (!receivers.is_receiver(pixel)) continue;
+    ReceiverTile& tile = tiles[pixel / width / kReceiverTilePx * columns + pixel % width / kReceiverTilePx];
+    tile.min_world = glm::min(tile.min_world, receivers.p_world(pixel));
+    tile.max_world = glm::max(tile.max_world, receivers.p_world(pixel));
+  }
+  std::erase_if(tiles, [](const ReceiverTile& tile) { return tile.min_world.x > tile.max_world.x; });
+  return tiles;
+}
+
+double share_outside(const Image& gbuffer, const LightView& view) {
+  const Receivers receivers(gbuffer);
+  size_t count = 0;
+  size_t outside = 0;
+  for (size_t pixel = 0; pixel < gbuffer.pixel_count(); ++pixel) {
+    if (!receivers.is_receiver(pixel)) continue;
+    ++count;
+    if (is_outside(view, glm::dvec3(receivers.p_world(pixel)))) ++outside;
+  }
+  return count == 0 ? 0.0 : static_cast<double>(outside) / static_cast<double>(count);
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,39 @@
+#pragma once
+// What one run of a technique starts from, and the numbers its expressions see.
+
+#include "realtime/harness/gbuffer.h"
+#include "realtime/harness/scene_buffers.h"
+#include "realtime/manifest/expression.h"
+#include "realtime/manifest/technique.h"
+#include "realtime/views/light_view.h"
+#include "scenes/scene.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+
+namespace umbrameter {
+
+/// Everything here must outlive the plan that is made from it.
+struct RunInputs {
+  const Technique& technique;
+  const ParameterValues& values;  // complete
+  const Scene& scene;
+  const SceneBuffers& scene_buffers;
+  const GBuffer& gbuffer;  // also says the screen's size
+  std::span<const ReceiverTile> receivers;
+  uint64_t seed = 1;
+  std::filesystem::path shaders_folder;
+};
+
+/// Parameters, choices, screen.* and light.*: what expressions may use outside loops.
+ExpressionVariables run_variables(const RunInputs& inputs);
+
+/// Whether `condition` (may be empty) holds.
+bool holds(const std::string& condition, const ExpressionVariables& variables, const FileLocation& where);
+
+/// The value of `expression` as a whole number from `min` to `max`; Error{input} naming `what` otherwise.
+int64_t whole_number(const ExpressionText& expression, const ExpressionVariables& variables, int64_t min,
+                     int64_t max, std::string_view what);
+
+}  // namespace umbrameter
