@@ -29,6 +29,7 @@ void copy_buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, con
 }
 
 int widest_packet(RTCDevice device) {
+  if (rtcGetDeviceProperty(device, RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED) != 0) return 16;
   if (rtcGetDeviceProperty(device, RTC_DEVICE_PROPERTY_NATIVE_RAY8_SUPPORTED) != 0) return 8;
   return 4;
 }

@@ -24,9 +24,9 @@ struct PatchForm {
 struct LightPatch {
   bool dark = false;  // no light from here at all: behind a one-sided light, or inside a sphere
   bool round = false;
-  glm::vec3 center{0.0f};  // from the ray origin to the patch's centre; the sun's patch is at distance 1
-  glm::vec3 per_a{0.0f};
-  glm::vec3 per_b{0.0f};
+  PatchForm direction_x;  // from the ray origin to the patch; the sun's patch is at distance 1
+  PatchForm direction_y;
+  PatchForm direction_z;
   PatchForm above_surface;  // positive where the sample is above the receiver's geometric plane
   PatchForm shading;        // shading normal . unnormalised direction
   float strength = 0.0f;    // irradiance weight = strength * shading / length^falloff
