@@ -1,5 +1,6 @@
 // Milliseconds a megapixel of each metric, on one and two threads, over a synthetic 1920x1080 pair.
 #include "metrics/envelope.h"
+#include "metrics/faults.h"
 #include "metrics/parity.h"
 #include "metrics/penumbra.h"
 #include "metrics/visibility_error.h"
@@ -31,6 +32,10 @@ void add_floor(Image& image) {
   image.add_plane("normal.y", 1.0f);
   image.add_plane("position.y", -1.0f);
   image.add_plane("primitive_id", 0.0f);
+  for (const char* zero : {"shading_normal.x", "shading_normal.z"}) image.add_plane(zero, 0.0f);
+  image.add_plane("shading_normal.y", 1.0f);
+  image.add_plane("blocker_distance_min", 2.0f);
+  image.add_plane("blocker_layers", 1.0f);
   image.add_plane("unshadowed_irradiance", 1.0f);
   const std::span<float> x = image.add_plane("position.x");
   const std::span<float> z = image.add_plane("position.z");
@@ -100,10 +105,20 @@ void envelope(benchmark::State& state) {
           [](const Pair& p) { return measure_envelope(p.test, p.reference, p.mask, penumbra.profiles); });
 }
 
+void faults(benchmark::State& state) {
+  static const PenumbraError penumbra = measure_penumbra(pair().test, pair().reference, pair().mask);
+  static const Envelope envelope =
+      measure_envelope(pair().test, pair().reference, pair().mask, penumbra.profiles);
+  measure(state, [](const Pair& p) {
+    return classify_faults(p.test, p.reference, p.mask, penumbra.profiles, envelope);
+  });
+}
+
 BENCHMARK(parity)->ArgName("threads")->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(visibility_error)->ArgName("threads")->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(penumbra)->ArgName("threads")->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(envelope)->ArgName("threads")->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(faults)->ArgName("threads")->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
 }  // namespace umbrameter
