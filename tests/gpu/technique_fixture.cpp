@@ -1,0 +1,158 @@
+#include "tests/gpu/technique_fixture.h"
+
+#include "core/error.h"
+#include "realtime/realtime.h"
+#include "tests/support/procedural_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <numbers>
+
+namespace umbrameter::test {
+namespace {
+
+constexpr double kLightHeight = 4.0;
+constexpr double kEdgeHeight = 1.5;
+constexpr double kPlateHeight = 1.0;
+const glm::dvec2 kPlateSize(1.0, 0.8);
+
+struct SharedRenderer {
+  std::unique_ptr<Renderer> renderer;
+  std::string problem;
+};
+
+const SharedRenderer& shared_renderer() {
+  static const SharedRenderer shared = [] {
+    SharedRenderer made;
+    const std::filesystem::path realtime = std::filesystem::path(UMBRAMETER_SOURCE_DIR) / "realtime";
+    try {
+      made.renderer = make_realtime_renderer({realtime / "techniques", realtime / "shaders", {}});
+    } catch (const Error& error) {
+      if (error.kind() != ErrorKind::environment) throw;
+      made.problem = error.what();
+    }
+    return made;
+  }();
+  return shared;
+}
+
+/// Length of [a0, a1] inside [b0, b1].
+double overlap(double a0, double a1, double b0, double b1) {
+  return std::max(0.0, std::min(a1, b1) - std::max(a0, b0));
+}
+
+/// Share of a unit disk on the side t > x.
+double disk_share_beyond(double x) {
+  const double t = std::clamp(x, -1.0, 1.0);
+  return (std::acos(t) - t * std::sqrt(1.0 - t * t)) / std::numbers::pi;
+}
+
+void look(Scene& scene, const glm::dvec3& eye, const glm::dvec3& at) {
+  scene.camera.eye_world = eye;
+  scene.camera.at_world = at;
+  scene.camera.vertical_fov_deg = 40.0;
+}
+
+}  // namespace
+
+std::string gl_problem() {
+  return shared_renderer().problem;
+}
+
+Frame render(const Scene& scene, const std::string& technique, const ParameterValues& parameters,
+             uint64_t seed, int width_px, int height_px) {
+  RenderRequest request;
+  request.width_px = width_px;
+  request.height_px = height_px;
+  request.seed = seed;
+  request.technique = technique;
+  request.parameters = parameters;
+  SilentProgress progress;
+  return shared_renderer().renderer->render(scene, request, progress);
+}
+
+std::vector<float> visibility(const Scene& scene, const std::string& technique,
+                              const ParameterValues& parameters, uint64_t seed) {
+  const Frame frame = render(scene, technique, parameters, seed);
+  const auto plane = frame.image.plane("visibility");
+  return {plane.begin(), plane.end()};
+}
+
+Light light_at_4(LightType type, double size) {
+  const glm::dvec3 center(0, kLightHeight, 0);
+  if (type == LightType::rect) return rect_light_above(center, {size, size});
+  if (type == LightType::disk) return disk_light_above(center, 0.5 * size);
+  if (type == LightType::sphere) return sphere_light(center, 0.5 * size);
+  return sun_light({0, 1, 0}, std::atan(size / 8));
+}
+
+Scene half_plane_scene(const Light& light) {
+  Scene scene;
+  scene.name = "half-plane";
+  add_floor(scene, {12, 12});
+  add_floor(scene, {20, 40}, kEdgeHeight, {-10, 0});
+  scene.lights = {light};
+  look(scene, {2.2, 1.3, 0.7}, {0, 0, 0});
+  finish_scene(scene);
+  return scene;
+}
+
+double half_plane_visibility(const Light& light, double x) {
+  if (light.type == LightType::sun) {
+    return disk_share_beyond(-x / (kEdgeHeight * std::tan(light.half_angle_rad)));
+  }
+  // The ray from (x, 0) through the edge (0, edge height) reaches the light's plane here.
+  const double edge_on_light = x - x * kLightHeight / kEdgeHeight;
+  if (light.type == LightType::rect) {
+    return overlap(-0.5 * light.size_world.x, 0.5 * light.size_world.x, edge_on_light, 1e9) /
+           light.size_world.x;
+  }
+  return disk_share_beyond(edge_on_light / light.radius_world);
+}
+
+Scene plate_scene() {
+  Scene scene;
+  scene.name = "plate";
+  add_floor(scene, {12, 12});
+  add_floor(scene, kPlateSize, kPlateHeight);
+  scene.lights = {rect_light_above({0.2, kLightHeight, 0.1}, {1.2, 0.6})};
+  look(scene, {2.5, 2.0, 2.0}, {0, 0.2, 0});
+  finish_scene(scene);
+  return scene;
+}
+
+double plate_visibility(const glm::dvec3& p_world) {
+  // The plate as seen from p covers a rectangle of the light's plane: p + (corner - p) * light / plate
+  // height.
+  const double scale = kLightHeight / kPlateHeight;
+  const auto shadow = [&](double p, double half_plate, double center, double half_light) {
+    return overlap(p + (-half_plate - p) * scale, p + (half_plate - p) * scale, center - half_light,
+                   center + half_light) /
+           (2 * half_light);
+  };
+  return 1.0 -
+         shadow(p_world.x, 0.5 * kPlateSize.x, 0.2, 0.6) * shadow(p_world.z, 0.5 * kPlateSize.y, 0.1, 0.3);
+}
+
+ErrorSummary floor_error(const Frame& frame, const std::function<double(const glm::dvec3&)>& truth) {
+  const auto v = frame.image.plane("visibility");
+  const auto x = frame.image.plane("position.x");
+  const auto y = frame.image.plane("position.y");
+  const auto z = frame.image.plane("position.z");
+  const auto id = frame.image.plane("primitive_id");
+  ErrorSummary summary;
+  double sum = 0.0;
+  for (size_t i = 0; i < v.size(); ++i) {
+    if (id[i] < 0.0f || std::abs(y[i]) > 1e-4f) continue;
+    const double error = std::abs(static_cast<double>(v[i]) - truth({x[i], y[i], z[i]}));
+    sum += error * error;
+    summary.worst = std::max(summary.worst, error);
+    ++summary.pixels;
+  }
+  summary.rmse = std::sqrt(sum / static_cast<double>(summary.pixels));
+  return summary;
+}
+
+}  // namespace umbrameter::test

@@ -1,0 +1,49 @@
+#pragma once
+// Scenes with closed-form visibility, and one GL renderer for all technique tests of a process.
+
+#include "core/renderer.h"
+#include "scenes/scene.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace umbrameter::test {
+
+/// Skips the test, with the reason, when there is no GL.
+#define UMBRAMETER_REQUIRE_GL() \
+  if (const std::string problem = ::umbrameter::test::gl_problem(); !problem.empty()) GTEST_SKIP() << problem
+
+/// Why no renderer can be made here; empty when one can.
+std::string gl_problem();
+
+/// 160 x 90 unless told; seed 1.
+Frame render(const Scene& scene, const std::string& technique, const ParameterValues& parameters = {},
+             uint64_t seed = 1, int width_px = 160, int height_px = 90);
+
+/// The plane of channel "visibility".
+std::vector<float> visibility(const Scene& scene, const std::string& technique,
+                              const ParameterValues& parameters = {}, uint64_t seed = 1);
+
+/// A light of `type` 4 above the origin, about `size` across (sun: tangent of the half angle size / 8).
+Light light_at_4(LightType type, double size);
+
+/// A floor at y = 0 and, 1.5 above it, a plate over all x < 0, seen from below the plate.
+Scene half_plane_scene(const Light& light);
+/// Share of a square or disk light at height 4 that floor point x sees past the edge x = 0 at height 1.5;
+/// sun: overhead.
+double half_plane_visibility(const Light& light, double x);
+
+/// A floor at y = 0 and a plate of 1 x 0.8 one above it, under a rect light of 1.2 x 0.6 at (0.2, 4, 0.1).
+Scene plate_scene();
+double plate_visibility(const glm::dvec3& p_world);
+
+struct ErrorSummary {
+  double rmse = 0.0;
+  double worst = 0.0;
+  size_t pixels = 0;
+};
+/// Against `truth(p_world)` on the pixels of the floor y = 0.
+ErrorSummary floor_error(const Frame& frame, const std::function<double(const glm::dvec3&)>& truth);
+
+}  // namespace umbrameter::test

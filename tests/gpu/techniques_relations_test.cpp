@@ -1,0 +1,242 @@
+// What every technique owes whatever its picture: sane values, no self-shadowing, parameters that act.
+
+#include "realtime/manifest/technique.h"
+#include "tests/gpu/technique_fixture.h"
+#include "tests/support/procedural_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace umbrameter {
+namespace {
+
+using namespace test;
+
+std::vector<Technique> techniques() {
+  return list_techniques(std::filesystem::path(UMBRAMETER_SOURCE_DIR) / "realtime/techniques");
+}
+
+/// Cheap enough for llvmpipe: few maps where a technique renders many.
+ParameterValues quick(const Technique& technique) {
+  ParameterValues values{{"map_size", int64_t{512}}};
+  if (technique.id == "accumulate") values["light_samples"] = int64_t{8};
+  return values;
+}
+
+/// Blockers at two heights, a slope, a sphere: everything a parameter could act on.
+Scene busy_scene(const Light& light) {
+  Scene scene;
+  scene.name = "busy";
+  add_floor(scene, {12, 12});
+  add_floor(scene, {0.8, 0.8}, 1.2, {0.2, 0});
+  add_floor(scene, {0.5, 1.5}, 2.0, {-0.2, 0.3});
+  add_sphere(scene, {0.9, 0.4, -0.5}, 0.4, 12);
+  add_quad(scene, {-2, 0, 1}, {-1, 0, 1}, {-1, 1.5, -1}, {-2, 1.5, -1});
+  scene.lights = {light};
+  scene.camera.eye_world = {2.5, 2.5, 2.5};
+  scene.camera.at_world = {-0.2, 0.2, 0};
+  finish_scene(scene);
+  return scene;
+}
+
+double largest_difference(const std::vector<float>& a, const std::vector<float>& b) {
+  double largest = 0.0;
+  for (size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(double{a[i]} - double{b[i]}));
+  return largest;
+}
+
+/// Values other than the default that should show.
+std::vector<ParameterValue> alternatives(const Parameter& parameter) {
+  switch (parameter.type) {
+    case ParameterType::boolean:
+      return {!std::get<bool>(parameter.default_value)};
+    case ParameterType::choice: {
+      std::vector<ParameterValue> others;
+      for (const std::string& choice : parameter.choices) {
+        if (ParameterValue(choice) != parameter.default_value) others.emplace_back(choice);
+      }
+      return others;
+    }
+    case ParameterType::integer:
+      return {static_cast<int64_t>(parameter.min)};
+    case ParameterType::real:
+      break;
+  }
+  return {parameter.min, parameter.max};
+}
+
+/// Largest change of the picture that a value of `parameter` makes to `base`.
+double change_by(const Scene& scene, const Technique& technique, const Parameter& parameter,
+                 const ParameterValues& base) {
+  const std::vector<float> before = visibility(scene, technique.id, base);
+  double change = 0.0;
+  for (const ParameterValue& value : alternatives(parameter)) {
+    ParameterValues values = base;
+    values[parameter.name] = value;
+    change = std::max(change, largest_difference(before, visibility(scene, technique.id, values)));
+  }
+  return change;
+}
+
+TEST(every_technique, every_parameter_changes_the_picture) {
+  UMBRAMETER_REQUIRE_GL();
+  // A bias that is enough alone hides the others, so each may also show where they are off.
+  const Scene scene = busy_scene(rect_light_above({0.5, 4, 0.3}, {1.0, 0.5}));
+  for (const Technique& technique : techniques()) {
+    const ParameterValues base = quick(technique);
+    ParameterValues unbiased = base;
+    unbiased["normal_offset_texels"] = 0.0;
+    for (const Parameter& parameter : technique.parameters) {
+      const double change = std::max(change_by(scene, technique, parameter, base),
+                                     change_by(scene, technique, parameter, unbiased));
+      EXPECT_GT(change, 0.0) << technique.id << "." << parameter.name;
+    }
+  }
+}
+
+TEST(every_technique, visibility_is_finite_and_between_0_and_1_for_every_light) {
+  UMBRAMETER_REQUIRE_GL();
+  Light inside_geometry = rect_light_above({0.9, 0.5, -0.5}, {0.2, 0.2});
+  const std::vector<Light> lights = {rect_light_above({0.5, 4, 0.3}, {1.0, 0.5}),
+                                     disk_light_above({0.5, 4, 0.3}, 0.5),
+                                     sphere_light({0.5, 4, 0.3}, 0.5),
+                                     sphere_light({0, 0.1, 0}, 0.3),
+                                     sun_light({0.3, 1, 0.2}, 0.05),
+                                     sun_light({1, 0.01, 0}, 0.2),
+                                     inside_geometry};
+  for (const Technique& technique : techniques()) {
+    for (const Light& light : lights) {
+      if (!technique.supports(light.type)) continue;
+      for (const float v : visibility(busy_scene(light), technique.id, quick(technique))) {
+        ASSERT_TRUE(v >= 0.0f && v <= 1.0f) << technique.id << " " << to_text(light.type) << " " << v;
+      }
+    }
+  }
+}
+
+TEST(every_technique, is_deterministic_for_a_seed) {
+  UMBRAMETER_REQUIRE_GL();
+  const Scene scene = busy_scene(disk_light_above({0.5, 4, 0.3}, 0.5));
+  for (const Technique& technique : techniques()) {
+    const auto first = visibility(scene, technique.id, quick(technique), 7);
+    EXPECT_EQ(first, visibility(scene, technique.id, quick(technique), 7)) << technique.id;
+  }
+}
+
+TEST(every_technique, background_is_lit_and_surfaces_turned_away_are_dark) {
+  UMBRAMETER_REQUIRE_GL();
+  // A wall facing away from the light, half of the picture; nothing behind it.
+  Scene scene;
+  add_quad(scene, {0, -5, 0}, {5, -5, 0}, {5, 5, 0}, {0, 5, 0});
+  scene.camera.eye_world = {0, 0, 4};
+  Light light = rect_light_above({0, 0, -3}, {0.5, 0.5});
+  light.tangent_world = {1, 0, 0};
+  light.bitangent_world = {0, 1, 0};
+  light.direction_world = {0, 0, 1};
+  scene.lights = {light};
+  finish_scene(scene);
+  for (const Technique& technique : techniques()) {
+    const Frame frame = render(scene, technique.id, quick(technique));
+    const auto v = frame.image.plane("visibility");
+    const auto id = frame.image.plane("primitive_id");
+    for (size_t i = 0; i < v.size(); ++i)
+      ASSERT_EQ(v[i], id[i] < 0.0f ? 1.0f : 0.0f) << technique.id << " " << i;
+  }
+}
+
+TEST(every_technique, a_plane_does_not_shadow_itself_at_any_slope) {
+  UMBRAMETER_REQUIRE_GL();
+  // All of the light stays above the horizon: at 75 deg and distance 4 it is 4 cos 75 = 1.04 away from the
+  // plane.
+  for (const double angle_deg : {0.0, 30.0, 60.0, 75.0}) {
+    for (const LightType type : {LightType::rect, LightType::sun}) {
+      Scene scene;
+      add_floor(scene, {3, 3});
+      scene =
+          moved_scene(scene, glm::rotate(glm::dmat4(1.0), glm::radians(angle_deg), glm::dvec3(0.3, 0, 1)));
+      scene.lights = {light_at_4(type, 0.1)};
+      const glm::dvec3 normal = triangle_normal_world(scene, 0);
+      scene.camera.eye_world = 3.0 * normal + glm::dvec3(0.2, 0.3, 0.1);
+      scene.camera.at_world = {0, 0, 0};
+      finish_scene(scene);
+      for (const Technique& technique : techniques()) {
+        for (const float v : visibility(scene, technique.id, quick(technique))) {
+          ASSERT_EQ(v, 1.0f) << technique.id << " at " << angle_deg << " deg, " << to_text(type);
+        }
+      }
+    }
+  }
+}
+
+TEST(pcss, with_a_tiny_light_is_the_hard_shadow) {
+  UMBRAMETER_REQUIRE_GL();
+  for (const LightType type : {LightType::rect, LightType::disk, LightType::sphere, LightType::sun}) {
+    const Scene scene = busy_scene(light_at_4(type, 1e-7));
+    EXPECT_EQ(visibility(scene, "pcss"), visibility(scene, "hard")) << to_text(type);
+  }
+}
+
+TEST(pcf, of_no_width_is_the_hard_shadow) {
+  UMBRAMETER_REQUIRE_GL();
+  const Scene scene = busy_scene(light_at_4(LightType::rect, 0.5));
+  EXPECT_EQ(visibility(scene, "pcf", {{"filter_width_texels", 0.0}}), visibility(scene, "hard"));
+}
+
+TEST(pcf, one_texel_wide_differs_from_the_hard_shadow_only_at_edges) {
+  UMBRAMETER_REQUIRE_GL();
+  // A box of one texel reaches 1 texel at most: of this picture's shadow outlines, well under a tenth.
+  const Scene scene = busy_scene(light_at_4(LightType::rect, 0.5));
+  const auto pcf = visibility(scene, "pcf", {{"filter_width_texels", 1.0}});
+  const auto hard = visibility(scene, "hard");
+  size_t different = 0;
+  for (size_t i = 0; i < pcf.size(); ++i) different += pcf[i] != hard[i] ? 1 : 0;
+  EXPECT_GT(different, 0u);
+  EXPECT_LT(different, pcf.size() / 10);
+}
+
+TEST(pcf, wider_boxes_give_wider_penumbrae) {
+  UMBRAMETER_REQUIRE_GL();
+  const Scene scene = half_plane_scene(light_at_4(LightType::rect, 1.0));
+  size_t before = 0;
+  for (const double width : {1.0, 5.0, 9.5, 33.0}) {
+    size_t partial = 0;
+    for (const float v :
+         visibility(scene, "pcf", {{"filter_width_texels", width}, {"map_size", int64_t{512}}})) {
+      partial += v > 0.0f && v < 1.0f ? 1 : 0;
+    }
+    EXPECT_GT(partial, before) << width;
+    before = partial;
+  }
+}
+
+TEST(pcss, noise_follows_the_seed) {
+  UMBRAMETER_REQUIRE_GL();
+  const Scene scene = plate_scene();
+  EXPECT_GT(largest_difference(visibility(scene, "pcss", {}, 1), visibility(scene, "pcss", {}, 2)), 0.0);
+  const ParameterValues still{{"noise", false}};
+  EXPECT_EQ(visibility(scene, "pcss", still, 1), visibility(scene, "pcss", still, 2));
+}
+
+TEST(every_technique, pixels_outside_the_map_are_lit) {
+  UMBRAMETER_REQUIRE_GL();
+  // A sphere light amid the scene looks towards the receivers' middle; what lies beyond 80 deg off is
+  // outside. The wall on the far side of the light faces it and nothing stands between.
+  Scene scene;
+  add_quad(scene, {-4, -4, 0}, {4, -4, 0}, {4, 4, 0}, {-4, 4, 0});
+  scene.lights = {sphere_light({0, 0, 0.05}, 0.01)};
+  scene.camera.eye_world = {0, 0, 8};
+  finish_scene(scene);
+  for (const Technique& technique : techniques()) {
+    if (!technique.supports(LightType::sphere)) continue;
+    for (const float v : visibility(scene, technique.id, quick(technique)))
+      ASSERT_EQ(v, 1.0f) << technique.id;
+  }
+}
+
+}  // namespace
+}  // namespace umbrameter
