@@ -1,6 +1,5 @@
 #include "realtime/harness/gbuffer.h"
 
-#include "core/sampling/patterns.h"
 #include "realtime/harness/draw.h"
 #include "realtime/harness/frame_uniforms.h"
 #include "realtime/harness/readback.h"
@@ -27,8 +26,6 @@ struct GBufferData {
 };
 
 constexpr GLuint kGBufferBinding = 1;
-constexpr GLuint kLightPointsBinding = 2;
-constexpr size_t kLightPoints = 256;        // gbuffer/irradiance.glsl
 constexpr double kGrowthInSubpixels = 2.0;  // snapping moves an edge by less than one
 
 glm::vec4 with(const glm::dvec3& v, double w) {
@@ -49,17 +46,6 @@ GBufferData make_gbuffer_data(const Scene& scene, const GBuffer& target, int sub
   data.screen_px = glm::vec4(target.width(), target.height(), growth_px, 0.0);
   data.has_normals = glm::ivec4(scene.normals_world.empty() ? 0 : 1, 0, 0, 0);
   return data;
-}
-
-/// An evenly spread set: all its coordinates differ, so that a light cut by the horizon is cut smoothly.
-std::array<glm::vec2, kLightPoints> make_light_points(LightType type) {
-  constexpr glm::vec2 kHalfStep(0.0f, 0.5f / kLightPoints);
-  std::array<glm::vec2, kLightPoints> points;
-  for (uint32_t i = 0; i < kLightPoints; ++i) {
-    const glm::vec2 uv = hammersley(i, kLightPoints) + kHalfStep;
-    points[i] = type == LightType::rect ? 2.0f * uv - 1.0f : concentric_disk(uv);
-  }
-  return points;
 }
 
 std::shared_ptr<const Program> load(ProgramCache& programs, const fs::path& vertex,
@@ -94,20 +80,16 @@ GBufferRenderer::GBufferRenderer(ProgramCache& programs, const fs::path& shaders
                     shaders_folder / "gbuffer" / "surface.frag")),
       frame_block_(sizeof(FrameData), nullptr, true),
       gbuffer_block_(sizeof(GBufferData), nullptr, true),
-      light_points_(kLightPoints * sizeof(glm::vec2), nullptr, true),
       no_attributes_(make_empty_vertex_array()),
       subpixel_bits_(limits.subpixel_bits) {}
 
 void GBufferRenderer::render(const Scene& scene, const SceneBuffers& buffers, const GBuffer& target) {
   const FrameData frame = make_frame_data(scene, target.width(), target.height(), 0);
   const GBufferData gbuffer = make_gbuffer_data(scene, target, subpixel_bits_);
-  const auto points = make_light_points(scene.light().type);
   frame_block_.update(&frame, sizeof frame);
   gbuffer_block_.update(&gbuffer, sizeof gbuffer);
-  light_points_.update(points.data(), sizeof points);
   bind_uniform_buffer(kFrameBinding, frame_block_);
   bind_uniform_buffer(kGBufferBinding, gbuffer_block_);
-  bind_uniform_buffer(kLightPointsBinding, light_points_);
   buffers.bind_storage();
   set_default_state();
 

@@ -45,7 +45,6 @@ class GBufferRenderer {
   std::shared_ptr<const Program> surface_;
   Buffer frame_block_;
   Buffer gbuffer_block_;
-  Buffer light_points_;
   Sampler nearest_{SamplerSettings{}};
   VertexArray no_attributes_;
   int subpixel_bits_ = 8;
