@@ -17,6 +17,9 @@ float edge(vec2 from, vec2 to) {
   return twice_area;
 }
 
+// In double the products are exact: what is 0 now lies on the edge, and is no victim of rounding.
+float exact_edge(dvec2 from, dvec2 to) { return float(to.x * from.y - to.y * from.x); }
+
 vec2 sheared(vec3 p_view, vec2 p_ndc) {
   precise vec2 p = p_view.xy - p_ndc * p_view.z;
   return p;
@@ -26,6 +29,7 @@ void main() {
   vec2 p_ndc = ndc_of_fragment(gl_FragCoord.xy);
   vec2 a = sheared(a_view, p_ndc), b = sheared(b_view, p_ndc), c = sheared(c_view, p_ndc);
   vec3 weights = vec3(edge(b, c), edge(c, a), edge(a, b));
+  if (any(equal(weights, vec3(0.0)))) weights = vec3(exact_edge(b, c), exact_edge(c, a), exact_edge(a, b));
   bool is_outside = any(lessThan(weights, vec3(0.0))) && any(greaterThan(weights, vec3(0.0)));
   float sum = weights.x + weights.y + weights.z;
   if (is_outside || sum == 0.0) discard;
