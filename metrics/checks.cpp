@@ -11,6 +11,11 @@ namespace {
 
 constexpr size_t kNone = std::numeric_limits<size_t>::max();
 
+int is_bad(uint8_t mask, float value, float low, float high) {
+  return static_cast<int>(mask != 0) &
+         (1 - (static_cast<int>(value >= low) & static_cast<int>(value <= high)));
+}
+
 }  // namespace
 
 void require_mask_size(const Image& image, std::span<const uint8_t> mask, std::string_view what) {
@@ -26,11 +31,13 @@ void require_range(const Image& image, std::string_view channel, std::span<const
   std::vector<size_t> first_bad(static_cast<size_t>(image.height), kNone);
   for_each_row(image.height, [&](int y) {
     const size_t begin = static_cast<size_t>(y) * width;
-    for (size_t i = begin; i < begin + width; ++i) {
-      if (mask[i] == 0 || (values[i] >= low && values[i] <= high)) continue;
-      first_bad[static_cast<size_t>(y)] = i;
-      return;
-    }
+    // Without a branch a pixel, so that it vectorises; the search is for the rare row that needs it.
+    int bad = 0;
+    for (size_t i = begin; i < begin + width; ++i) bad |= is_bad(mask[i], values[i], low, high);
+    if (bad == 0) return;
+    size_t i = begin;
+    while (is_bad(mask[i], values[i], low, high) == 0) ++i;
+    first_bad[static_cast<size_t>(y)] = i;
   });
   for (const size_t i : first_bad) {
     if (i == kNone) continue;

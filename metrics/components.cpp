@@ -18,6 +18,7 @@ int32_t find_root(std::vector<int32_t>& parent, int32_t label) {
 
 int32_t unite(std::vector<int32_t>& parent, int32_t a, int32_t b) {
   if (a < 0) return b;
+  if (a == b) return a;
   const int32_t root_a = find_root(parent, a), root_b = find_root(parent, b);
   const int32_t low = std::min(root_a, root_b);
   parent[static_cast<size_t>(std::max(root_a, root_b))] = low;
@@ -32,24 +33,28 @@ Components label_components(std::span<const uint8_t> mask, int width, int height
   Components out;
   out.label.assign(mask.size(), -1);
   std::vector<int32_t> parent;
-  for (size_t i = 0; i < mask.size(); ++i) {
-    if (mask[i] == 0) continue;
-    const size_t x = i % columns;
-    int32_t label = -1;
-    const auto join = [&](size_t neighbour) {
-      if (out.label[neighbour] >= 0) label = unite(parent, label, out.label[neighbour]);
-    };
-    if (x > 0) join(i - 1);
-    if (i >= columns) {
-      if (x > 0) join(i - columns - 1);
-      join(i - columns);
-      if (x + 1 < columns) join(i - columns + 1);
+  for (size_t row = 0; row < mask.size(); row += columns) {
+    for (size_t x = 0; x < columns; ++x) {
+      const size_t i = row + x;
+      if (mask[i] == 0) continue;
+      int32_t label = -1;
+      const auto join = [&](size_t neighbour) {
+        if (out.label[neighbour] >= 0) label = unite(parent, label, out.label[neighbour]);
+      };
+      if (x > 0) join(i - 1);
+      // The pixel above touches both diagonals, which are then joined already.
+      if (row > 0 && out.label[i - columns] >= 0) {
+        join(i - columns);
+      } else if (row > 0) {
+        if (x > 0) join(i - columns - 1);
+        if (x + 1 < columns) join(i - columns + 1);
+      }
+      if (label < 0) {
+        label = static_cast<int32_t>(parent.size());
+        parent.push_back(label);
+      }
+      out.label[i] = label;
     }
-    if (label < 0) {
-      label = static_cast<int32_t>(parent.size());
-      parent.push_back(label);
-    }
-    out.label[i] = label;
   }
 
   // A root comes before its members, so one sweep numbers them all.

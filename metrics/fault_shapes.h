@@ -3,6 +3,7 @@
 
 #include "metrics/components.h"
 #include "metrics/fault_evidence.h"
+#include "metrics/tiles.h"
 
 #include <cstdint>
 #include <optional>
@@ -15,7 +16,10 @@ namespace umbrameter {
 template <class Predicate>
 std::vector<uint8_t> select(const FaultInput& input, const Predicate& predicate) {
   std::vector<uint8_t> selected(input.mask.size());
-  for (size_t i = 0; i < selected.size(); ++i) selected[i] = input.mask[i] != 0 && predicate(i) ? 1 : 0;
+  for_each_row(input.surface.height, [&](int y) {
+    const size_t width = static_cast<size_t>(input.surface.width), begin = static_cast<size_t>(y) * width;
+    for (size_t i = begin; i < begin + width; ++i) selected[i] = input.mask[i] != 0 && predicate(i) ? 1 : 0;
+  });
   return selected;
 }
 
