@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace umbrameter {
 namespace {
@@ -152,13 +153,35 @@ LightView fit_sun(const Scene& scene, std::span<const ReceiverTile> tiles, const
   return make_view(frame, bounds, near - 1e-6 * scale, far, true);
 }
 
-glm::dvec3 middle_of(std::span<const ReceiverTile> tiles) {
-  glm::dvec3 low(tiles.front().min_world), high(tiles.front().max_world);
+/// Unit directions from the light to the middles of the tiles it does not sit in.
+std::vector<glm::dvec3> directions_to(std::span<const ReceiverTile> tiles, const glm::dvec3& center_world) {
+  std::vector<glm::dvec3> directions;
   for (const ReceiverTile& tile : tiles) {
-    low = glm::min(low, glm::dvec3(tile.min_world));
-    high = glm::max(high, glm::dvec3(tile.max_world));
+    const glm::dvec3 offset = 0.5 * (glm::dvec3(tile.min_world) + glm::dvec3(tile.max_world)) - center_world;
+    if (glm::length(offset) > 0.0) directions.push_back(glm::normalize(offset));
   }
-  return 0.5 * (low + high);
+  return directions;
+}
+
+const glm::dvec3& farthest_from(const glm::dvec3& axis, const std::vector<glm::dvec3>& directions) {
+  return *std::ranges::min_element(directions, {}, [&](const glm::dvec3& d) { return glm::dot(axis, d); });
+}
+
+/// Axis of about the narrowest cone around the directions (Badoiu and Clarkson 2003, on the unit sphere);
+/// their mean, which favours what fills the picture, when one map cannot hold that cone.
+glm::dvec3 axis_towards(const std::vector<glm::dvec3>& directions, const glm::dvec3& fallback) {
+  if (directions.empty()) return fallback;
+  constexpr int kSteps = 100;
+  constexpr double kCosWidest = 0.2588190451025207;  // cos(75 deg)
+  glm::dvec3 axis = directions.front();
+  for (int i = 0; i < kSteps; ++i) axis += (farthest_from(axis, directions) - axis) / (i + 2.0);
+  if (glm::length(axis) > 0.0 &&
+      glm::dot(glm::normalize(axis), farthest_from(axis, directions)) > kCosWidest) {
+    return glm::normalize(axis);
+  }
+  glm::dvec3 sum(0.0);
+  for (const glm::dvec3& direction : directions) sum += direction;
+  return glm::length(sum) > 0.0 ? glm::normalize(sum) : fallback;
 }
 
 }  // namespace
@@ -170,14 +193,11 @@ LightView fit_center_view(const Scene& scene, std::span<const ReceiverTile> rece
     const LightFrame frame = sun_frame(scene, light.direction_world, light.tangent_world);
     return fit_sun(scene, tiles, frame, std::tan(light.half_angle_rad));
   }
-  LightFrame frame = frame_of_light(light, light.center_world);
   if (light.type == LightType::sphere) {
-    const glm::dvec3 to_receivers = middle_of(tiles) - light.center_world;
-    if (glm::length(to_receivers) > 0.0) {
-      frame = frame_along(light.center_world, to_receivers, light.tangent_world);
-    }
+    const glm::dvec3 axis = axis_towards(directions_to(tiles, light.center_world), light.direction_world);
+    return fit_perspective_center(scene, frame_along(light.center_world, axis, light.tangent_world), tiles);
   }
-  return fit_perspective_center(scene, frame, tiles);
+  return fit_perspective_center(scene, frame_of_light(light, light.center_world), tiles);
 }
 
 LightView fit_sample_view(const Scene& scene, std::span<const ReceiverTile> receivers, LightFit fit,

@@ -156,6 +156,24 @@ TEST(center_view, a_large_triangle_without_corners_in_the_map_still_sets_the_nea
   EXPECT_NEAR(view.near_world, 2.0, 1e-3);  // 4 - 2
 }
 
+TEST(center_view, of_a_sphere_covers_near_and_far_receivers_alike) {
+  // Seen from 4 above the floor, near tiles lie to one side and a long strip to the other, 110 deg apart: the
+  // middle of their box would aim along the strip and lose the near ones.
+  Scene scene;
+  add_quad(scene, {-40, 0, -40}, {80, 0, 0}, {0, 0, 80});
+  scene.lights = {light_above(LightType::sphere)};
+  scene.lights[0].center_world = {0, 4, 0};
+  std::vector<ReceiverTile> tiles = {{{4, 0, -1}, {5, 0, 1}}};
+  for (int i = 0; i < 20; ++i) {
+    const auto x = static_cast<float>(-i);
+    tiles.push_back({{x - 1, 0, -1}, {x, 0, 1}});
+  }
+  const LightView view = fit_center_view(scene, tiles, LightFit::visible);
+  for (const ReceiverTile& tile : tiles) {
+    for (const glm::dvec3& p : corners(tile)) EXPECT_TRUE(is_inside(view, p)) << p.x;
+  }
+}
+
 TEST(sample_view, looks_from_the_sampled_point_with_the_plane_of_the_light) {
   const Scene scene = plate_scene(LightType::rect);
   const glm::dvec2 uv(0.9, 0.2);
