@@ -24,21 +24,21 @@ bool is_grey(const Image& image) {
   return std::equal(r.begin(), r.end(), g.begin()) && std::equal(r.begin(), r.end(), b.begin());
 }
 
-std::string visibility_channel(const Image& image) {
+std::string visibility_channel(const Image& image, const std::string& file) {
   if (image.has("Y")) return "Y";
   if (image.planes.size() == 1) return image.planes.begin()->first;
   if (is_grey(image)) return "R";
   std::vector<std::string> names;
   for (const auto& [name, plane] : image.planes) names.push_back(name);
-  fail_input(fmt::format("the image has no visibility channel, only {}", fmt::join(names, ", ")), {},
+  fail_input(fmt::format("the image has no visibility channel, only {}", fmt::join(names, ", ")), {file},
              "name the channel 'visibility', or give a grey image");
 }
 
 }  // namespace
 
-Image with_visibility(Image image) {
+Image with_visibility(Image image, const std::string& file) {
   if (image.has("visibility")) return image;
-  auto node = image.planes.extract(visibility_channel(image));
+  auto node = image.planes.extract(visibility_channel(image, file));
   node.key() = "visibility";
   image.planes.insert(std::move(node));
   return image;
@@ -49,10 +49,10 @@ bool has_surfaces(const Image& image) {
                      [&](std::string_view channel) { return image.has(channel); });
 }
 
-glm::dvec3 eye_of(const Image& reference) {
+glm::dvec3 eye_of(const Image& reference, const std::string& file) {
   const auto found = reference.metadata.find("eye_world");
   if (found == reference.metadata.end()) {
-    fail_input("the reference has no 'umbrameter:eye_world' in its header", {},
+    fail_input("the reference has no 'umbrameter:eye_world' in its header", {file},
                "make it with 'umbrameter reference'");
   }
   std::istringstream text(found->second);
@@ -60,7 +60,8 @@ glm::dvec3 eye_of(const Image& reference) {
   text >> eye_world.x >> eye_world.y >> eye_world.z;
   if (!text)
     fail_input(
-        fmt::format("the reference's 'umbrameter:eye_world' is '{}', not three numbers", found->second));
+        fmt::format("the reference's 'umbrameter:eye_world' is '{}', not three numbers", found->second),
+        {file});
   return eye_world;
 }
 

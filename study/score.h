@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace umbrameter {
@@ -22,14 +23,14 @@ struct Score {
 };
 
 /// The image with its visibility under that name. Accepts `visibility`, `Y`, a single channel of any name, or
-/// R of an image whose R, G and B are equal; Error{input} listing the channels otherwise.
-Image with_visibility(Image image);
+/// R of an image whose R, G and B are equal; Error{input} naming `file` and its channels otherwise.
+Image with_visibility(Image image, const std::string& file);
 
 /// True when `image` has all channels that compare_surfaces needs.
 bool has_surfaces(const Image& image);
 
 /// Eye position that add_metadata stored; Error{input} when it is missing or malformed.
-glm::dvec3 eye_of(const Image& reference);
+glm::dvec3 eye_of(const Image& reference, const std::string& file);
 
 /// Scores `test` (see with_visibility) where its surfaces agree with the reference's. Error{input} for size
 /// mismatch, missing reference channels, NaN and values outside [0,1].

@@ -38,7 +38,9 @@ struct SceneContext {
   std::filesystem::path folder;  // of all results
   Progress& progress;
 
-  std::string relative(const std::string& file) const { return file_name_of(job.name) + "/" + file; }
+  std::string relative(const std::string& file) const {
+    return "images/" + file_name_of(job.name) + "/" + file;
+  }
 };
 
 struct TechniqueFrame {
@@ -192,7 +194,7 @@ void score_technique(const SceneContext& context, const Image& reference, Techni
 
 SceneResult validate_scene(const SceneContext& context, std::vector<Skip>& skipped) {
   SceneResult scene = describe(context.job);
-  create_folder(context.folder / file_name_of(context.job.name));
+  create_folder((context.folder / context.relative("reference.exr")).parent_path());
   // Real time first: a shader that does not compile is found before the long wait for the reference.
   Frame surfaces;
   scene.failure = guarded([&] {

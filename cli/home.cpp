@@ -1,0 +1,117 @@
+#include "cli/home.h"
+
+#include "core/error.h"
+#include "realtime/realtime.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+
+namespace umbrameter {
+namespace {
+
+TechniqueRun run_of(const Technique& technique, const std::string& request, const std::string& label,
+                    const ParameterValues& overrides) {
+  return {.technique = request,
+          .id = technique.id,
+          .label = label,
+          .title = technique.title,
+          .hash = technique.hash,
+          .parameters = resolve_parameters(technique, overrides),
+          .lights = technique.lights};
+}
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  size_t start = 0;
+  while (true) {
+    const size_t end = text.find(separator, start);
+    parts.push_back(text.substr(start, end - start));
+    if (end == std::string::npos) return parts;
+    start = end + 1;
+  }
+}
+
+ParameterValues parse_assignments(const Technique& technique, const std::vector<std::string>& assignments) {
+  ParameterValues values;
+  for (const std::string& assignment : assignments) {
+    const auto [name, text] = split_assignment(assignment);
+    if (values.count(name) > 0)
+      fail_input(fmt::format("parameter '{}' of '{}' is given twice", name, technique.id));
+    if (name == "preset") {
+      values[name] = text;
+      continue;
+    }
+    values[name] = parse_parameter_value(find_parameter(technique.parameters, name, technique.id), text);
+  }
+  return values;
+}
+
+/// A path to a folder is passed on as an absolute path, an id as it is.
+std::string request_text(const std::string& id_or_path) {
+  const bool is_folder =
+      id_or_path.find('/') != std::string::npos && std::filesystem::is_directory(id_or_path);
+  return is_folder ? std::filesystem::absolute(id_or_path).string() : id_or_path;
+}
+
+}  // namespace
+
+Home find_home() {
+  const char* chosen = std::getenv("UMBRAMETER_HOME");
+  const std::filesystem::path root = chosen != nullptr && *chosen != '\0' ? chosen : UMBRAMETER_SOURCE_DIR;
+  const Home home{root / "scenes" / "library", root / "realtime" / "techniques",
+                  root / "realtime" / "shaders"};
+  for (const auto& folder : {home.library, home.techniques, home.shaders}) {
+    if (std::filesystem::is_directory(folder)) continue;
+    fail_environment(fmt::format("'{}' is not there", folder.string()),
+                     "set UMBRAMETER_HOME to the folder that holds scenes/library and realtime");
+  }
+  return home;
+}
+
+SceneSearch scene_search(const GlobalOptions& options, const Home& home) {
+  if (!options.assets.empty() && !std::filesystem::is_directory(options.assets)) {
+    fail_input(fmt::format("the assets folder '{}' is not there", options.assets), {},
+               "--assets or UMBRAMETER_ASSETS names the folder with the models");
+  }
+  return {options.assets, home.library};
+}
+
+SceneJob load_scene_job(const std::string& name_or_path, const SceneSearch& search) {
+  const std::filesystem::path file = resolve_scene(name_or_path, search);
+  const auto inside = file.lexically_relative(search.library);
+  const bool is_library_scene = !inside.empty() && *inside.begin() != "..";
+  std::filesystem::path name = is_library_scene ? inside : file.filename();
+  return {name.replace_extension().generic_string(), load_scene(file, search)};
+}
+
+TechniqueRun choose_technique(const std::string& text, const std::vector<std::string>& assignments,
+                              const Home& home) {
+  const size_t colon = std::filesystem::is_directory(text) ? std::string::npos : text.find(':');
+  const std::string id_or_path = text.substr(0, colon);
+  const Technique technique = find_technique(id_or_path, home.techniques);
+  std::vector<std::string> all = assignments;
+  std::string label = technique.id;
+  if (colon != std::string::npos) {
+    const std::string settings = text.substr(colon + 1);
+    label += ":" + settings;
+    const auto parts = split(settings, ',');
+    all.insert(all.end(), parts.begin(), parts.end());
+  }
+  return run_of(technique, request_text(id_or_path), label, parse_assignments(technique, all));
+}
+
+std::vector<TechniqueRun> all_techniques(const Home& home) {
+  std::vector<TechniqueRun> runs;
+  for (const Technique& technique : list_techniques(home.techniques)) {
+    runs.push_back(run_of(technique, technique.id, technique.id, {}));
+  }
+  return runs;
+}
+
+std::unique_ptr<Renderer> open_realtime_renderer(const GlobalOptions& options, const Home& home) {
+  return make_realtime_renderer(
+      {.techniques_folder = home.techniques, .shaders_folder = home.shaders, .device = options.device});
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,43 @@
+#pragma once
+// Where the built-in scenes, techniques and shaders live, and how verbs find things by name.
+
+#include "cli/verbs.h"
+#include "core/parameters.h"
+#include "core/progress.h"
+#include "realtime/manifest/technique.h"
+#include "scenes/load_scene.h"
+#include "study/validation.h"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace umbrameter {
+
+struct Home {
+  std::filesystem::path library;
+  std::filesystem::path techniques;
+  std::filesystem::path shaders;
+};
+
+/// UMBRAMETER_HOME when set, else where it was built; Error{environment} when the folders are not there.
+Home find_home();
+
+/// The library and the assets folder; Error{input} when the assets folder does not exist.
+SceneSearch scene_search(const GlobalOptions& options, const Home& home);
+
+/// A scene of the library by name, or a scene file; named by its library name or file stem.
+SceneJob load_scene_job(const std::string& name_or_path, const SceneSearch& search);
+
+/// "ID[:name=value,...]" (ID may be a folder) plus further "name=value" texts. `preset=NAME` chooses a
+/// preset. Error{input} for unknown techniques, parameters, presets, and values out of range.
+TechniqueRun choose_technique(const std::string& text, const std::vector<std::string>& assignments,
+                              const Home& home);
+
+/// Every built-in technique at its defaults.
+std::vector<TechniqueRun> all_techniques(const Home& home);
+
+std::unique_ptr<Renderer> open_realtime_renderer(const GlobalOptions& options, const Home& home);
+
+}  // namespace umbrameter

@@ -1,0 +1,74 @@
+#include "cli/interruption.h"
+
+#include "cli/console.h"
+
+#include <chrono>
+#include <csignal>
+#include <mutex>
+#include <set>
+#include <thread>
+
+#include <unistd.h>
+
+namespace umbrameter {
+namespace {
+
+struct Registry {
+  std::mutex mutex;
+  std::set<std::filesystem::path> folders;
+};
+
+/// Never destroyed: the signal thread may still look at it while the process ends.
+Registry& registry() {
+  static auto* instance = new Registry;
+  return *instance;
+}
+
+/// Another thread may be writing into the folder, so once may not be enough.
+void remove_for_good(const std::filesystem::path& folder) {
+  constexpr int kTries = 50;
+  std::error_code ignored;
+  for (int i = 0; i < kTries; ++i) {
+    std::filesystem::remove_all(folder, ignored);
+    if (!std::filesystem::exists(folder, ignored)) return;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+}
+
+[[noreturn]] void wait_for_signal(sigset_t signals) {
+  int signal = 0;
+  while (sigwait(&signals, &signal) != 0) continue;
+  registry().mutex.lock();  // kept: nobody may register anything from here on
+  for (const auto& folder : registry().folders) remove_for_good(folder);
+  print_note("interrupted; nothing was written");
+  _exit(128 + signal);
+}
+
+bool is_ignored(int signal) {
+  struct sigaction action {};
+  return sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
+}
+
+}  // namespace
+
+void install_interruption_handler() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  for (const int signal : {SIGINT, SIGTERM}) {
+    if (!is_ignored(signal)) sigaddset(&signals, signal);
+  }
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+  std::thread(wait_for_signal, signals).detach();
+}
+
+RemovedOnInterruption::RemovedOnInterruption(std::filesystem::path folder) : folder_(std::move(folder)) {
+  const std::lock_guard lock(registry().mutex);
+  registry().folders.insert(folder_);
+}
+
+RemovedOnInterruption::~RemovedOnInterruption() {
+  const std::lock_guard lock(registry().mutex);
+  registry().folders.erase(folder_);
+}
+
+}  // namespace umbrameter

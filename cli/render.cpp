@@ -1,0 +1,91 @@
+#include "cli/console.h"
+#include "cli/home.h"
+#include "cli/progress_bar.h"
+#include "cli/quality.h"
+#include "cli/staging.h"
+#include "core/error.h"
+#include "core/image_io.h"
+#include "study/format.h"
+#include "study/metadata.h"
+#include "study/timing.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace umbrameter {
+namespace {
+
+struct RenderOptions {
+  std::string scene;
+  std::string technique;
+  std::vector<std::string> assignments;
+  QualityOptions quality;
+};
+
+void print_frame(const Frame& frame, const SceneJob& job, const TechniqueRun& run, const std::string& file,
+                 bool json) {
+  const auto total = total_time(frame.pass_times);
+  if (!json) {
+    print_answer(fmt::format("{}: {} on {}, {}; {}; parameters {}\n", file, run.label, job.name,
+                             format_time(total), frame.device, to_text(frame.parameters)));
+    return;
+  }
+  nlohmann::ordered_json answer = {{"file", file},
+                                   {"scene", job.name},
+                                   {"scene_hash", job.scene.hash},
+                                   {"technique", run.id},
+                                   {"parameters", to_text(frame.parameters)},
+                                   {"device", frame.device},
+                                   {"timer", frame.timer},
+                                   {"memory_bytes", frame.memory_bytes}};
+  answer["total_ms"] = total ? nlohmann::ordered_json(total->median_ms) : nlohmann::ordered_json(nullptr);
+  print_json(answer);
+}
+
+int render(const RenderOptions& options, const GlobalOptions& global) {
+  const Quality quality = choose_quality(options.quality);
+  const Home home = find_home();
+  const TechniqueRun run = choose_technique(options.technique, options.assignments, home);
+  const SceneJob job = load_scene_job(options.scene, scene_search(global, home));
+  const LightType light = job.scene.light().type;
+  if (std::find(run.lights.begin(), run.lights.end(), light) == run.lights.end()) {
+    fail_input(fmt::format("technique '{}' does not support the {} light of scene '{}'", run.id,
+                           to_text(light), job.name));
+  }
+  const StagedFile file(global.out.empty() ? "visibility.exr" : global.out, ".exr");
+  for (const std::string& warning : job.scene.warnings) print_warning(warning);
+  const auto renderer = open_realtime_renderer(global, home);
+  ProgressBar progress;
+  RenderRequest request;
+  request.width_px = quality.width_px;
+  request.height_px = quality.height_px;
+  request.seed = quality.seed;
+  request.technique = run.technique;
+  request.parameters = run.parameters;
+  Frame frame =
+      render_timed(*renderer, job.scene, request, {.wanted_frames = quality.timed_frames}, progress);
+  for (const std::string& warning : frame.warnings) print_warning(warning);
+  add_metadata(frame, job.scene, request);
+  write_exr(file.staged(), frame.image);
+  file.publish();
+  print_frame(frame, job, run, file.target().string(), global.json);
+  return kExitFine;
+}
+
+}  // namespace
+
+void add_render(CLI::App& app, CommandLine& line) {
+  auto options = std::make_shared<RenderOptions>();
+  CLI::App* verb = app.add_subcommand("render", "render one technique to --out (default visibility.exr)");
+  verb->fallthrough();
+  verb->add_option("scene", options->scene, "library name or scene file")->required();
+  verb->add_option("--technique", options->technique, "ID[:name=value,...]; ID may be a folder")->required();
+  verb->add_option("--set", options->assignments, "name=value; repeatable")->allow_extra_args(false);
+  add_quality_options(*verb, options->quality);
+  verb->callback(
+      [options, &line] { line.verb = [options, &line] { return render(*options, line.global); }; });
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,67 @@
+#include "study/score.h"
+
+#include "cli/console.h"
+#include "cli/verbs.h"
+#include "core/image_io.h"
+#include "study/format.h"
+#include "study/results_json.h"
+
+#include <fmt/format.h>
+
+namespace umbrameter {
+namespace {
+
+struct ScoreOptions {
+  std::string test;
+  std::string reference;
+};
+
+std::string region_line(const char* name, const RegionError& region) {
+  return fmt::format("{:<17}{} of scored pixels, RMSE {}, mean error {}\n", name, format_share(region.share),
+                     format_error(region_rmse(region)),
+                     format_signed_error(region_rmse(region) ? std::optional(region.bias) : std::nullopt));
+}
+
+std::string score_text(const Score& score) {
+  std::string text =
+      score.has_surfaces
+          ? "parity           " +
+                format_parity(parity_numbers(score.parity, ParityTolerance{}.required_agreement)) + "\n"
+          : "parity           not checked: the image has no surface channels\n";
+  if (!score.error) return text;
+  const VisibilityError& error = *score.error;
+  text += fmt::format("scored pixels    {}\n", error.scored_pixels);
+  text += "RMSE [95 %]      " + format_interval(error.rmse) + "\n";
+  text += "mean error       " + format_signed_error(error.bias) + "\n";
+  text += "mean |error|     " + format_error(error.mae) + "\n";
+  text += "over-shadowing   " + format_error(error.over_shadowing) + "\n";
+  text += "under-shadowing  " + format_error(error.under_shadowing) + "\n";
+  text += "largest |error|  " + format_error(error.max_error) + "\n";
+  return text + region_line("lit", error.lit) + region_line("penumbra", error.penumbra) +
+         region_line("umbra", error.umbra);
+}
+
+int score(const ScoreOptions& options, const GlobalOptions& global) {
+  const Image test = with_visibility(read_image(options.test), options.test);
+  const Image reference = read_image(options.reference);
+  const Score result = score_image(test, reference, eye_of(reference, options.reference));
+  print_answer(global.json ? to_json_text(result, options.test, options.reference) : score_text(result));
+  if (result.parity.passes) return kExitFine;
+  print_error("the image and the reference show other surfaces; no score");
+  return kExitGateFailed;
+}
+
+}  // namespace
+
+void add_score(CLI::App& app, CommandLine& line) {
+  auto options = std::make_shared<ScoreOptions>();
+  CLI::App* verb =
+      app.add_subcommand("score", "score any image with a visibility channel against a reference");
+  verb->fallthrough();
+  verb->add_option("test", options->test, "image: channel 'visibility', 'Y', a single channel, or grey RGB")
+      ->required();
+  verb->add_option("--reference", options->reference, "EXR made by 'umbrameter reference'")->required();
+  verb->callback([options, &line] { line.verb = [options, &line] { return score(*options, line.global); }; });
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,44 @@
+#pragma once
+// Output appears whole or not at all: it is made in a hidden folder beside its place and moved at the end.
+
+#include "cli/interruption.h"
+
+#include <filesystem>
+#include <optional>
+
+namespace umbrameter {
+
+/// A hidden folder in `parent` (made when missing). What is left of it goes when this does, and so does a
+/// `parent` that was made for it and is empty. Error{input} when the place cannot be written, which is found
+/// before any work is done.
+class Staging {
+ public:
+  explicit Staging(const std::filesystem::path& parent);
+  ~Staging();
+  Staging(const Staging&) = delete;
+  Staging& operator=(const Staging&) = delete;
+
+  const std::filesystem::path& folder() const { return folder_; }
+
+ private:
+  std::filesystem::path parent_;
+  bool parent_is_ours_ = false;
+  std::filesystem::path folder_;
+  std::optional<RemovedOnInterruption> registration_;
+};
+
+/// One image file to be written: checks name and place at once. Write to `staged()`, then `publish()`.
+class StagedFile {
+ public:
+  /// Error{input} unless `target` ends in `extension` and is not a folder.
+  StagedFile(std::filesystem::path target, const std::string& extension);
+  std::filesystem::path staged() const { return staging_.folder() / target_.filename(); }
+  const std::filesystem::path& target() const { return target_; }
+  void publish() const;
+
+ private:
+  std::filesystem::path target_;
+  Staging staging_;
+};
+
+}  // namespace umbrameter

@@ -1,0 +1,174 @@
+#include "cli/console.h"
+#include "cli/home.h"
+#include "core/error.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <map>
+
+namespace umbrameter {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::vector<std::string> light_names(const std::vector<LightType>& lights) {
+  std::vector<std::string> names;
+  for (const LightType light : lights) names.emplace_back(to_text(light));
+  return names;
+}
+
+std::string join(const std::vector<std::string>& texts) {
+  std::string text;
+  for (const std::string& item : texts) text += (text.empty() ? "" : " ") + item;
+  return text;
+}
+
+Json to_json(const Parameter& parameter) {
+  Json json = {{"name", parameter.name}, {"type", to_text(parameter.type)}};
+  std::visit([&](const auto& value) { json["default"] = value; }, parameter.default_value);
+  if (parameter.type == ParameterType::integer || parameter.type == ParameterType::real) {
+    json["min"] = parameter.min;
+    json["max"] = parameter.max;
+    json["step"] = parameter.step;
+    json["scale"] = to_text(parameter.scale);
+  }
+  if (parameter.type == ParameterType::choice) json["choices"] = parameter.choices;
+  json["unit"] = parameter.unit;
+  json["stage"] = to_text(parameter.stage);
+  json["group"] = parameter.group;
+  json["doc"] = parameter.doc;
+  return json;
+}
+
+Json to_json(const Technique& technique) {
+  Json parameters = Json::array();
+  for (const Parameter& parameter : technique.parameters) parameters.push_back(to_json(parameter));
+  Json presets = Json::object();
+  for (const Preset& preset : technique.presets) presets[preset.name] = preset.doc;
+  return {{"id", technique.id},
+          {"title", technique.title},
+          {"summary", technique.summary},
+          {"family", technique.family},
+          {"lights", light_names(technique.lights)},
+          {"references", technique.references},
+          {"known_failures", technique.known_failures},
+          {"hash", technique.hash},
+          {"parameters", parameters},
+          {"presets", presets}};
+}
+
+int list(const GlobalOptions& global) {
+  Json techniques = Json::array();
+  std::vector<std::vector<std::string>> rows;
+  for (const Technique& technique : list_techniques(find_home().techniques)) {
+    techniques.push_back(to_json(technique));
+    rows.push_back({technique.id, join(light_names(technique.lights)), technique.title});
+  }
+  if (global.json) {
+    print_json({{"techniques", techniques}});
+  } else {
+    print_answer(format_table({"id", "lights", "title"}, rows));
+  }
+  return kExitFine;
+}
+
+std::string range_text(const Parameter& parameter) {
+  switch (parameter.type) {
+    case ParameterType::boolean:
+      return "true, false";
+    case ParameterType::choice:
+      return join(parameter.choices);
+    case ParameterType::integer:
+    case ParameterType::real:
+      break;
+  }
+  return fmt::format("{} .. {} ({})", parameter.min, parameter.max, to_text(parameter.scale));
+}
+
+std::string describe_technique(const Technique& technique) {
+  std::string text = fmt::format("{}: {}\n{}\nlights: {}\n", technique.id, technique.title, technique.summary,
+                                 join(light_names(technique.lights)));
+  for (const std::string& reference : technique.references) text += "reference: " + reference + "\n";
+  for (const std::string& failure : technique.known_failures) text += "fails: " + failure + "\n";
+  std::vector<std::vector<std::string>> rows;
+  for (const Parameter& parameter : technique.parameters) {
+    rows.push_back({parameter.name, to_text(parameter.default_value), range_text(parameter), parameter.unit,
+                    parameter.doc});
+  }
+  text += "\n" + format_table({"parameter", "default", "range", "unit", ""}, rows);
+  for (const Preset& preset : technique.presets)
+    text += fmt::format("preset {}: {}\n", preset.name, preset.doc);
+  return text;
+}
+
+int show(const std::string& id, const GlobalOptions& global) {
+  const Technique technique = find_technique(id, find_home().techniques);
+  if (global.json) {
+    print_json(to_json(technique));
+  } else {
+    print_answer(describe_technique(technique));
+  }
+  return kExitFine;
+}
+
+/// One built-in scene for each light type, by type.
+std::map<LightType, SceneJob> scenes_by_light(const SceneSearch& search) {
+  std::map<LightType, SceneJob> scenes;
+  for (const SceneEntry& entry : list_scenes(search)) {
+    if (entry.needs_assets) continue;
+    SceneJob job = load_scene_job(entry.name, search);
+    scenes.try_emplace(job.scene.light().type, std::move(job));
+  }
+  return scenes;
+}
+
+/// Loads the manifest, then compiles and runs the shaders once for every light type that it supports.
+int check(const std::string& path, const GlobalOptions& global) {
+  const Home home = find_home();
+  const TechniqueRun run = choose_technique(path, {}, home);
+  const auto renderer = open_realtime_renderer(global, home);
+  SilentProgress progress;
+  std::vector<std::string> ran;
+  for (const auto& [light, job] : scenes_by_light(scene_search(global, home))) {
+    if (std::find(run.lights.begin(), run.lights.end(), light) == run.lights.end()) continue;
+    RenderRequest request{
+        .width_px = 64, .height_px = 36, .technique = run.technique, .parameters = run.parameters};
+    const Frame frame = renderer->render(job.scene, request, progress);
+    for (const std::string& warning : frame.warnings) print_warning(warning);
+    require_finite(frame.image, "visibility");
+    ran.emplace_back(to_text(light));
+  }
+  if (global.json) {
+    print_json({{"id", run.id}, {"hash", run.hash}, {"ran_with_lights", ran}});
+  } else {
+    print_answer(fmt::format("{}: fine; ran with lights: {}\n", run.id, ran.empty() ? "none" : join(ran)));
+  }
+  return kExitFine;
+}
+
+}  // namespace
+
+void add_techniques(CLI::App& app, CommandLine& line) {
+  auto name = std::make_shared<std::string>();
+  CLI::App* verb = app.add_subcommand("techniques", "list, show or check techniques");
+  verb->fallthrough();
+  verb->require_subcommand(0, 1);
+  verb->callback([&line, verb] {
+    if (verb->get_subcommands().empty()) line.verb = [&line] { return list(line.global); };
+  });
+  CLI::App* list_verb = verb->add_subcommand("list", "the built-in techniques");
+  list_verb->fallthrough();
+  list_verb->callback([&line] { line.verb = [&line] { return list(line.global); }; });
+  CLI::App* show_verb = verb->add_subcommand("show", "one technique with its parameters and presets");
+  show_verb->fallthrough();
+  show_verb->add_option("technique", *name, "id or folder")->required();
+  show_verb->callback([name, &line] { line.verb = [name, &line] { return show(*name, line.global); }; });
+  CLI::App* check_verb = verb->add_subcommand("check", "load a technique, compile and run its shaders");
+  check_verb->fallthrough();
+  check_verb->add_option("technique", *name, "id or folder")->required();
+  check_verb->callback([name, &line] { line.verb = [name, &line] { return check(*name, line.global); }; });
+}
+
+}  // namespace umbrameter

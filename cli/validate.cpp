@@ -1,0 +1,184 @@
+#include "cli/console.h"
+#include "cli/home.h"
+#include "cli/progress_bar.h"
+#include "cli/quality.h"
+#include "cli/staging.h"
+#include "cli/validation_text.h"
+#include "core/error.h"
+#include "core/files.h"
+#include "reference/reference.h"
+#include "report/report.h"
+#include "study/results_json.h"
+
+#include <fmt/format.h>
+
+#include <set>
+
+namespace umbrameter {
+namespace {
+
+struct ValidateOptions {
+  std::vector<std::string> scenes;
+  std::vector<std::string> techniques;
+  QualityOptions quality;
+};
+
+struct Workload {
+  std::vector<SceneJob> scenes;
+  std::vector<Skip> skipped;
+};
+
+/// Two scene files of one stem get different names.
+void make_unique(std::string& name, const std::vector<SceneJob>& taken) {
+  const std::string stem = name;
+  const auto is_taken = [&](const std::string& candidate) {
+    return std::any_of(taken.begin(), taken.end(),
+                       [&](const SceneJob& job) { return job.name == candidate; });
+  };
+  for (int number = 2; is_taken(name); ++number) name = fmt::format("{}-{}", stem, number);
+}
+
+std::string join(const std::vector<std::string>& texts) {
+  std::string text;
+  for (const std::string& item : texts) text += (text.empty() ? "" : ", ") + item;
+  return text;
+}
+
+/// The library's scenes, less those whose assets are not there.
+std::vector<std::string> library_scenes(const SceneSearch& search, std::vector<Skip>& skipped) {
+  std::vector<std::string> names;
+  for (const SceneEntry& entry : list_scenes(search)) {
+    if (entry.missing_assets.empty()) {
+      names.push_back(entry.name);
+      continue;
+    }
+    skipped.push_back({entry.name, "",
+                       fmt::format("assets not found: {} (give --assets or UMBRAMETER_ASSETS)",
+                                   join(entry.missing_assets))});
+    print_warning(fmt::format("skipped {}: {}", entry.name, skipped.back().reason));
+  }
+  return names;
+}
+
+/// Every scene is loaded before anything is rendered, so that a bad one costs no time.
+Workload load_scenes(const std::vector<std::string>& given, const SceneSearch& search, Progress& progress) {
+  Workload work;
+  const std::vector<std::string> names = given.empty() ? library_scenes(search, work.skipped) : given;
+  progress.begin("loading scenes", names.size());
+  for (const std::string& name : names) {
+    SceneJob job = load_scene_job(name, search);
+    make_unique(job.name, work.scenes);
+    work.scenes.push_back(std::move(job));
+    progress.advance(1);
+  }
+  progress.end();
+  return work;
+}
+
+std::vector<TechniqueRun> choose_techniques(const std::vector<std::string>& given, const Home& home) {
+  if (given.empty()) return all_techniques(home);
+  std::vector<TechniqueRun> runs;
+  std::set<std::string> labels;
+  for (const std::string& text : given) {
+    TechniqueRun run = choose_technique(text, {}, home);
+    if (!labels.insert(run.label).second) run.label = text;  // a user's copy of a built-in id
+    if (run.label == text && !labels.insert(text + "\n").second)
+      fail_input(fmt::format("technique '{}' is given twice", text));
+    runs.push_back(std::move(run));
+  }
+  return runs;
+}
+
+ValidationPlan make_plan(const Quality& quality, std::vector<TechniqueRun> techniques) {
+  ValidationPlan plan;
+  plan.quality = quality.name;
+  plan.width_px = quality.width_px;
+  plan.height_px = quality.height_px;
+  plan.seed = quality.seed;
+  plan.samples_per_pixel = quality.samples_per_pixel;
+  plan.target_se = quality.target_se;
+  plan.timed_frames = quality.timed_frames;
+  plan.techniques = std::move(techniques);
+  return plan;
+}
+
+/// Only a folder that an earlier validation made may be replaced.
+void check_output(const std::filesystem::path& out) {
+  if (std::filesystem::exists(out) && !std::filesystem::is_directory(out)) {
+    fail_input(fmt::format("the output '{}' is not a folder", out.string()));
+  }
+  if (!std::filesystem::exists(out / "images") || std::filesystem::exists(out / "results.json")) return;
+  fail_input(fmt::format("'{}' exists and is not of an earlier validation", (out / "images").string()), {},
+             "choose another --out");
+}
+
+void publish(const std::filesystem::path& staged, const std::filesystem::path& out) {
+  if (std::filesystem::exists(out / "images")) rename_into_place(out / "images", staged / "old-images");
+  for (const char* name : {"images", "results.json", "report.html"})
+    rename_into_place(staged / name, out / name);
+}
+
+int verdict(const Results& results) {
+  int code = parity_passes(results) ? kExitFine : kExitGateFailed;
+  for (const Failure& failure : all_failures(results)) {
+    print_error(failure.message);
+    code = std::max(code, exit_code(failure.kind));
+  }
+  if (!parity_passes(results))
+    print_error("the renderers disagree on at least one scene; its numbers are void");
+  return code;
+}
+
+bool has_any_result(const Results& results) {
+  return std::any_of(results.scenes.begin(), results.scenes.end(),
+                     [](const SceneResult& scene) { return scene.reference.has_value(); });
+}
+
+int validate(const ValidateOptions& options, const GlobalOptions& global) {
+  const Quality quality = choose_quality(options.quality);
+  const Home home = find_home();
+  const SceneSearch search = scene_search(global, home);
+  const ValidationPlan plan = make_plan(quality, choose_techniques(options.techniques, home));
+  const std::filesystem::path out = global.out.empty() ? "out" : global.out;
+  check_output(out);
+  const Staging staging(out);
+  const auto realtime = open_realtime_renderer(global, home);
+  const auto reference =
+      make_reference_renderer({quality.samples_per_pixel, quality.target_se, global.threads});
+  ProgressBar progress;
+  Workload work = load_scenes(options.scenes, search, progress);
+  if (work.scenes.empty()) fail_input("no scene is left to validate");
+  Results results = run_validation(work.scenes, plan, {*reference, *realtime}, staging.folder(), progress,
+                                   [&](const SceneResult& scene) {
+                                     progress.clear();
+                                     print_note(scene_line(scene));
+                                   });
+  results.skipped.insert(results.skipped.begin(), work.skipped.begin(), work.skipped.end());
+  const int code = verdict(results);
+  if (!has_any_result(results)) return code;  // nothing worth replacing an earlier result with
+  write_file_atomically(staging.folder() / "results.json", to_json_text(results));
+  write_report(staging.folder(), staging.folder() / "report.html");
+  publish(staging.folder(), out);
+  print_answer(global.json ? to_json_text(results) : validation_text(results));
+  print_note(fmt::format("wrote {}", (out / "report.html").string()));
+  return code;
+}
+
+}  // namespace
+
+void add_validate(CLI::App& app, CommandLine& line) {
+  auto options = std::make_shared<ValidateOptions>();
+  CLI::App* verb =
+      app.add_subcommand("validate", "measure techniques against the truth; writes --out (default out/)");
+  verb->fallthrough();
+  verb->add_option("scene", options->scenes, "library names or scene files; none = the whole library");
+  verb->add_option(
+          "--technique", options->techniques,
+          "ID[:name=value,...], ID may be a folder, preset=NAME chooses a preset; repeatable; none = all")
+      ->allow_extra_args(false);
+  add_quality_options(*verb, options->quality);
+  verb->callback(
+      [options, &line] { line.verb = [options, &line] { return validate(*options, line.global); }; });
+}
+
+}  // namespace umbrameter

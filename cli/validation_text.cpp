@@ -1,0 +1,72 @@
+#include "cli/validation_text.h"
+
+#include "cli/console.h"
+#include "study/format.h"
+
+#include <fmt/format.h>
+
+namespace umbrameter {
+namespace {
+
+std::vector<std::string> row(const SceneResult& scene, const TechniqueResult& run) {
+  const std::string time = format_time(total_time(run.pass_times));
+  const std::string memory = run.memory_bytes > 0 ? format_bytes(run.memory_bytes) : kNotApplicable;
+  if (!run.error) {
+    const char* reason = run.failure ? "failed" : scene.parity ? "void" : "not compared";
+    return {scene.name, run.label, reason, "", "", "", "", time, memory};
+  }
+  const VisibilityError& error = *run.error;
+  return {scene.name,
+          run.label,
+          format_interval(error.rmse),
+          format_signed_error(error.bias),
+          format_error(error.over_shadowing),
+          format_error(error.under_shadowing),
+          format_error(region_rmse(error.penumbra)),
+          time,
+          memory};
+}
+
+std::string table(const Results& results) {
+  std::vector<std::vector<std::string>> rows;
+  for (const SceneResult& scene : results.scenes) {
+    for (const TechniqueResult& run : scene.techniques) rows.push_back(row(scene, run));
+  }
+  return format_table(
+      {"scene", "technique", "RMSE [95 %]", "mean", "over", "under", "penumbra", "time", "memory"}, rows);
+}
+
+std::string scene_lists(const Results& results) {
+  std::string text;
+  for (const SceneResult& scene : results.scenes) {
+    if (scene.parity) text += fmt::format("{}: {}\n", scene.name, format_parity(*scene.parity));
+    for (const std::string& warning : scene.warnings)
+      text += fmt::format("{}: warning: {}\n", scene.name, warning);
+    for (const TechniqueResult& run : scene.techniques) {
+      for (const std::string& warning : run.warnings) {
+        text += fmt::format("{}, {}: warning: {}\n", scene.name, run.label, warning);
+      }
+    }
+  }
+  for (const Skip& skip : results.skipped) {
+    text += fmt::format("skipped {}{}{}: {}\n", skip.scene, skip.technique.empty() ? "" : ", ",
+                        skip.technique, skip.reason);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string scene_line(const SceneResult& scene) {
+  if (scene.failure) return fmt::format("{}: failed", scene.name);
+  const std::string parity = scene.parity ? format_share(scene.parity->agreement) : kNotApplicable;
+  return fmt::format("{}: done, parity {}", scene.name, parity);
+}
+
+std::string validation_text(const Results& results) {
+  return fmt::format("quality {}, {} x {} px, {} samples a pixel, seed {}\n\n{}\n{}", results.quality,
+                     results.width_px, results.height_px, results.samples_per_pixel, results.seed,
+                     table(results), scene_lists(results));
+}
+
+}  // namespace umbrameter

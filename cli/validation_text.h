@@ -1,0 +1,16 @@
+#pragma once
+// Results as text for the terminal.
+
+#include "study/results.h"
+
+#include <string>
+
+namespace umbrameter {
+
+/// One line when a scene is done.
+std::string scene_line(const SceneResult& scene);
+
+/// The context, a table of scene x technique, parity, warnings and what was skipped.
+std::string validation_text(const Results& results);
+
+}  // namespace umbrameter
