@@ -32,7 +32,8 @@ struct SceneEntry {
   std::vector<std::string> missing_assets;  // mesh files that were not found
 };
 
-/// All scenes under `search.library`, built-in first, then assets/, each by name. Reads only the TOML, no meshes.
+/// All scenes under `search.library`, built-in first, then assets/, each by name. Reads only the TOML, no
+/// meshes.
 std::vector<SceneEntry> list_scenes(const SceneSearch& search);
 
 /// "plate" or "assets/bunny" -> its file in the library; an existing path -> itself; Error{input} with the
