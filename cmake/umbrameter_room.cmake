@@ -1,4 +1,5 @@
-# umbrameter_room(<name> [LINKS ...] [PRIVATE_LINKS ...]): one static library a room; its sources are the folder.
+# umbrameter_room(<name> [LINKS ...] [PRIVATE_LINKS ...]): one static library a room; its sources are the folder,
+# less subfolders that have a CMakeLists.txt of their own.
 # The include root is the repository, so an include path shows the room: #include "metrics/parity.h".
 # umbrameter_options(<target>): the warnings and sanitizers every target of ours is built with.
 
@@ -18,10 +19,11 @@ endfunction()
 function(umbrameter_room name)
   cmake_parse_arguments(ROOM "" "" "LINKS;PRIVATE_LINKS" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp")
-  if(NOT sources)
-    add_library(umbrameter_${name} INTERFACE)
-    return()
-  endif()
+  file(GLOB own_targets CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*/CMakeLists.txt")
+  foreach(own_target IN LISTS own_targets)
+    get_filename_component(folder "${own_target}" DIRECTORY)
+    list(FILTER sources EXCLUDE REGEX "^${folder}/")
+  endforeach()
   add_library(umbrameter_${name} STATIC ${sources})
   target_include_directories(umbrameter_${name} PUBLIC "${CMAKE_SOURCE_DIR}")
   target_link_libraries(umbrameter_${name} PUBLIC ${ROOM_LINKS} PRIVATE ${ROOM_PRIVATE_LINKS})
