@@ -3,7 +3,6 @@
 #include "core/error.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace umbrameter {
@@ -22,24 +21,6 @@ double query_ms(const Query& query) {
   return static_cast<double>(nanoseconds) * 1e-6;
 }
 
-struct Measured {
-  double query = 0.0;
-  double wall = 0.0;
-};
-
-/// Both clocks around `repeats` clears of a texture; 0 repeats is the empty interval.
-Measured measure_clears(const Texture& texture, int repeats) {
-  const Query query = make_query(GL_TIME_ELAPSED);
-  glFinish();
-  const Clock::time_point start = Clock::now();
-  glBeginQuery(GL_TIME_ELAPSED, query.id());
-  for (int i = 0; i < repeats; ++i) clear_texture(texture, std::array{0.5 * i});
-  glEndQuery(GL_TIME_ELAPSED);
-  glFinish();
-  const double wall = milliseconds_since(start);
-  return {query_ms(query), wall};
-}
-
 double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
@@ -51,19 +32,6 @@ double median(std::vector<double> values) {
 
 std::string_view to_text(TimerKind kind) {
   return kind == TimerKind::elapsed_query ? "GL_TIME_ELAPSED" : "glFinish + steady clock";
-}
-
-TimerKind choose_timer() {
-  const Texture texture(find_texture_format("rgba32f"), 512, 512, "timer check");
-  measure_clears(texture, 1);  // the first use of a format may compile something
-  double queried = 0.0;
-  for (const int repeats : {1, 0, 1, 64}) {
-    const Measured measured = measure_clears(texture, repeats);
-    constexpr double kClockStepMs = 0.01;
-    if (measured.query > 1.05 * measured.wall + kClockStepMs) return TimerKind::finish_and_clock;
-    queried += measured.query;
-  }
-  return queried > 0.0 ? TimerKind::elapsed_query : TimerKind::finish_and_clock;
 }
 
 PassTimers::PassTimers(TimerKind kind, std::vector<std::string> labels)

@@ -17,8 +17,10 @@ enum class TimerKind { elapsed_query, finish_and_clock };
 /// "GL_TIME_ELAPSED" or "glFinish + steady clock": what Frame::timer says.
 std::string_view to_text(TimerKind kind);
 
-/// Runs known work under GL_TIME_ELAPSED and a wall clock; elapsed_query only if no query claims more time
-/// than passed on the wall (software rasterisers have returned the machine's uptime).
+/// Runs known work under GL_TIME_ELAPSED and a wall clock. elapsed_query only if no query claims more time
+/// than passed on the wall (a software rasteriser has returned the machine's uptime for a lone clear) and a
+/// long vertex-bound draw is counted in full (software rasterisers leave out what runs on the calling
+/// thread).
 TimerKind choose_timer();
 
 /// Times labelled passes over frames. Use:
