@@ -70,13 +70,13 @@ class PassChecker {
 
   void check_all() {
     check(technique_.passes, {});
-    check_resources();
-    check_views();
     if (!written_.contains(kVisibility)) {
       fail_input(fmt::format("technique '{}' never writes 'visibility'", technique_.id),
                  {(technique_.folder / "technique.toml").string(), 0, 0},
                  "one pass must list it in 'writes'");
     }
+    check_resources();
+    check_views();
   }
 
  private:

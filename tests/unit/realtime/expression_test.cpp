@@ -5,8 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <random>
 #include <cmath>
+#include <random>
 #include <string>
 
 namespace umbrameter {
@@ -37,7 +37,9 @@ TEST(Expression, SubtractsAndDividesFromTheLeft) {
   EXPECT_EQ(value_of("64 / 4 / 2"), 8.0);
 }
 
-TEST(Expression, MinusBindsTighterThanTimes) { EXPECT_EQ(value_of("-2 * -3"), 6.0); }
+TEST(Expression, MinusBindsTighterThanTimes) {
+  EXPECT_EQ(value_of("-2 * -3"), 6.0);
+}
 
 TEST(Expression, ComparesAfterArithmetic) {
   EXPECT_EQ(value_of("1 + 1 == 2"), 1.0);
@@ -86,7 +88,9 @@ TEST(Expression, UnknownFunctionSuggestsTheNearest) {
               testing::AllOf(testing::HasSubstr("unknown function 'flor'"), testing::HasSubstr("floor")));
 }
 
-TEST(Expression, DivisionByZeroIsAnError) { EXPECT_THAT(error_of("1 / (2 - 2)"), testing::HasSubstr("division by zero")); }
+TEST(Expression, DivisionByZeroIsAnError) {
+  EXPECT_THAT(error_of("1 / (2 - 2)"), testing::HasSubstr("division by zero"));
+}
 
 TEST(Expression, ResultMustBeFinite) {
   EXPECT_THAT(error_of("log2(0)"), testing::HasSubstr("not finite"));
@@ -111,7 +115,8 @@ TEST(Expression, DeepNestingIsAnErrorNotACrash) {
 }
 
 TEST(Expression, NamesAreListedWithoutEvaluating) {
-  EXPECT_THAT(expression_names("a / 0 + max(b.c, a) + (d ? e : 1)"), testing::ElementsAre("a", "b.c", "d", "e"));
+  EXPECT_THAT(expression_names("a / 0 + max(b.c, a) + (d ? e : 1)"),
+              testing::ElementsAre("a", "b.c", "d", "e"));
   EXPECT_THROW(expression_names("a +"), Error);
 }
 
