@@ -8,6 +8,7 @@
 #include "core/files.h"
 #include "reference/reference.h"
 #include "report/report.h"
+#include "study/metadata.h"
 #include "study/results_json.h"
 
 #include <fmt/format.h>
@@ -28,12 +29,13 @@ struct Workload {
   std::vector<Skip> skipped;
 };
 
-/// Two scene files of one stem get different names.
+/// Two scene files of one stem get different names, also as folders.
 void make_unique(std::string& name, const std::vector<SceneJob>& taken) {
   const std::string stem = name;
   const auto is_taken = [&](const std::string& candidate) {
-    return std::any_of(taken.begin(), taken.end(),
-                       [&](const SceneJob& job) { return job.name == candidate; });
+    return std::any_of(taken.begin(), taken.end(), [&](const SceneJob& job) {
+      return file_name_of(job.name) == file_name_of(candidate);
+    });
   };
   for (int number = 2; is_taken(name); ++number) name = fmt::format("{}-{}", stem, number);
 }
@@ -78,12 +80,12 @@ Workload load_scenes(const std::vector<std::string>& given, const SceneSearch& s
 std::vector<TechniqueRun> choose_techniques(const std::vector<std::string>& given, const Home& home) {
   if (given.empty()) return all_techniques(home);
   std::vector<TechniqueRun> runs;
+  std::set<std::string> texts;
   std::set<std::string> labels;
   for (const std::string& text : given) {
+    if (!texts.insert(text).second) fail_input(fmt::format("technique '{}' is given twice", text));
     TechniqueRun run = choose_technique(text, {}, home);
     if (!labels.insert(run.label).second) run.label = text;  // a user's copy of a built-in id
-    if (run.label == text && !labels.insert(text + "\n").second)
-      fail_input(fmt::format("technique '{}' is given twice", text));
     runs.push_back(std::move(run));
   }
   return runs;

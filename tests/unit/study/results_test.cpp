@@ -1,0 +1,104 @@
+// Without these tests a number could be lost or changed on its way through results.json.
+
+#include "study/results_json.h"
+
+#include "tests/support/temporary_folder.h"
+#include "tests/unit/study/fakes.h"
+
+#include "core/error.h"
+#include "study/format.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace umbrameter {
+namespace {
+
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+TEST(Results, SurviveJsonWithEveryBit) {
+  const TemporaryFolder folder;
+  Results results = fake_results(folder.path());
+  results.target_se = 0.1 + 0.2;  // no short decimal
+  results.seed = 18446744073709551615u;
+  const std::string text = to_json_text(results);
+  const Results back = parse_results(text, "results.json");
+  EXPECT_EQ(to_json_text(back), text);
+  EXPECT_EQ(back.target_se, results.target_se);
+  EXPECT_EQ(back.seed, results.seed);
+  EXPECT_EQ(back.scenes[0].techniques[1].error->rmse->high,
+            results.scenes[0].techniques[1].error->rmse->high);
+  EXPECT_EQ(back.scenes[0].techniques[1].parameters, results.scenes[0].techniques[1].parameters);
+  EXPECT_EQ(back.scenes[0].techniques[2].failure->kind, ErrorKind::input);
+}
+
+TEST(Results, CarryTheirContext) {
+  const TemporaryFolder folder;
+  const auto json = nlohmann::json::parse(to_json_text(fake_results(folder.path())));
+  for (const char* key : {"schema", "version", "commit", "quality", "width_px", "height_px", "seed",
+                          "samples_per_pixel", "target_se", "parity_passes", "scenes", "skipped"}) {
+    EXPECT_TRUE(json.contains(key)) << key;
+  }
+  const auto& run = json["scenes"][0]["techniques"][1];
+  EXPECT_EQ(run["parameters"]["taps"], 16);
+  EXPECT_EQ(run["timer"], "fake clock");
+  EXPECT_EQ(run["pass_times"][0]["frames"], 5);
+  EXPECT_EQ(json["scenes"][0]["hash"], "0123456789abcdef");
+}
+
+TEST(Results, AnythingElseIsOneSentence) {
+  EXPECT_THAT([] { parse_results("{", "a/results.json"); },
+              ThrowsMessage<Error>(HasSubstr("a/results.json: not a results file")));
+  EXPECT_THAT([] { parse_results("{\"schema\": 1}", "r.json"); },
+              ThrowsMessage<Error>(HasSubstr("not a results file")));
+  EXPECT_THAT([] { parse_results("{\"schema\": 99}", "r.json"); },
+              ThrowsMessage<Error>(HasSubstr("schema 99")));
+}
+
+TEST(Results, OfAWrongTypeAreBadInputAndNothingWorse) {
+  const TemporaryFolder folder;
+  const auto json = nlohmann::json::parse(to_json_text(fake_results(folder.path())));
+  size_t rejected = 0;
+  for (const auto& [path, leaf] : json.flatten().items()) {
+    auto broken = json;
+    broken[nlohmann::json::json_pointer(path)] = {{"an", "object"}};
+    try {
+      parse_results(broken.dump(), "r.json");  // anything but Error fails the test
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::input) << path;
+      ++rejected;
+    }
+  }
+  EXPECT_GT(rejected, 100u);
+}
+
+TEST(TotalTime, SumsThePassesAndCountsTheFewestFrames) {
+  EXPECT_FALSE(total_time({}));
+  const auto total = total_time({{"map", 1.5, 0.1, 9}, {"resolve", 2.0, 0.2, 7}});
+  EXPECT_DOUBLE_EQ(total->median_ms, 3.5);
+  EXPECT_DOUBLE_EQ(total->mad_ms, 0.1 + 0.2);
+  EXPECT_EQ(total->frames, 7);
+}
+
+TEST(RegionRmse, KeepsTheSignAndKnowsEmptyRegions) {
+  EXPECT_FALSE(region_rmse({}));
+  EXPECT_DOUBLE_EQ(*region_rmse({.pixels = 4, .share = 1.0, .mse = 0.04, .bias = 0.0}), 0.2);
+  EXPECT_DOUBLE_EQ(*region_rmse({.pixels = 4, .share = 1.0, .mse = -0.04, .bias = 0.0}), -0.2);
+}
+
+TEST(Format, NeverRoundsAShareUpToAllOfIt) {
+  EXPECT_EQ(format_share(0.9999999), "99.999 %");
+  EXPECT_EQ(format_share(1.0), "100.000 %");
+}
+
+TEST(Format, SaysWhenThereIsNothing) {
+  EXPECT_EQ(format_error(std::nullopt), "n/a");
+  EXPECT_EQ(format_interval(std::nullopt), "n/a");
+  EXPECT_EQ(format_time(std::nullopt), "n/a");
+  EXPECT_EQ(format_time(PassTime{"total", 1.25, 0.5, 1}), "1.250 ± 0.500 ms (1 frame)");
+}
+
+}  // namespace
+}  // namespace umbrameter

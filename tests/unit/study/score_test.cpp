@@ -1,0 +1,74 @@
+// Without these tests an image of another engine could be scored by the wrong channel.
+
+#include "study/score.h"
+
+#include "tests/unit/study/fakes.h"
+
+#include "core/error.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace umbrameter {
+namespace {
+
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+Image image_with(const std::vector<std::string>& channels) {
+  Image image(2, 1);
+  for (const std::string& channel : channels) image.add_plane(channel, 0.5f);
+  return image;
+}
+
+TEST(WithVisibility, TakesVisibilityGreyOrASingleChannel) {
+  for (const auto& channels : std::vector<std::vector<std::string>>{
+           {"visibility", "depth"}, {"Y", "A"}, {"shadow"}, {"R", "G", "B"}, {"A", "B", "G", "R"}}) {
+    EXPECT_TRUE(with_visibility(image_with(channels), "test.exr").has("visibility")) << channels.front();
+  }
+}
+
+TEST(WithVisibility, RejectsColourAndNamesTheChannels) {
+  Image image = image_with({"R", "G", "B"});
+  image.plane("G")[1] = 0.25f;
+  EXPECT_THAT([&] { with_visibility(image, "test.exr"); },
+              ThrowsMessage<Error>(HasSubstr("test.exr: the image has no visibility channel, only B, G, R")));
+}
+
+TEST(ScoreImage, ScoresAnImageWithoutSurfacesAndSaysThatParityWasNotChecked) {
+  Image test(kFakeWidth_px, kFakeHeight_px);
+  test.add_plane("visibility", 0.75f);
+  const Score score = score_image(test, reference_image(), {0, 10, 0});
+  EXPECT_FALSE(score.has_surfaces);
+  ASSERT_TRUE(score.error);
+  EXPECT_EQ(score.error->scored_pixels, 39u * kFakeHeight_px);  // the background column is not scored
+  EXPECT_NEAR(*score.error->bias, 0.25, 1e-6);
+}
+
+TEST(ScoreImage, GivesNoNumberWhenParityFails) {
+  Image test = technique_image(0.0f);
+  for (float& primitive : test.plane("primitive_id")) primitive = -1.0f;
+  const Score score = score_image(test, reference_image(), {0, 10, 0});
+  EXPECT_TRUE(score.has_surfaces);
+  EXPECT_FALSE(score.error);
+}
+
+TEST(ScoreImage, RejectsAnotherSize) {
+  Image test(8, 8);
+  test.add_plane("visibility", 1.0f);
+  EXPECT_THROW(score_image(test, reference_image(), {0, 10, 0}), Error);
+}
+
+TEST(EyeOf, ReadsWhatTheHeaderSaysAndRejectsAnythingElse) {
+  Image reference(1, 1);
+  EXPECT_THAT([&] { eye_of(reference, "ref.exr"); },
+              ThrowsMessage<Error>(HasSubstr("ref.exr: the reference has no")));
+  reference.metadata["eye_world"] = "1 two 3";
+  EXPECT_THAT([&] { eye_of(reference, "ref.exr"); },
+              ThrowsMessage<Error>(HasSubstr("'1 two 3', not three numbers")));
+  reference.metadata["eye_world"] = "1 -2.5 1e3";
+  EXPECT_EQ(eye_of(reference, "ref.exr"), glm::dvec3(1.0, -2.5, 1000.0));
+}
+
+}  // namespace
+}  // namespace umbrameter
