@@ -1,8 +1,10 @@
 // Milliseconds a megapixel of each metric, on one and two threads, over a synthetic 1920x1080 pair.
 #include "metrics/envelope.h"
 #include "metrics/faults.h"
+#include "metrics/flip.h"
 #include "metrics/parity.h"
 #include "metrics/penumbra.h"
+#include "metrics/similarity.h"
 #include "metrics/visibility_error.h"
 
 #include <benchmark/benchmark.h>
@@ -114,11 +116,23 @@ void faults(benchmark::State& state) {
   });
 }
 
+void flip(benchmark::State& state) {
+  measure(state, [](const Pair& p) {
+    return measure_flip(p.test, p.reference, {"visibility", "visibility", "visibility"});
+  });
+}
+
+void ssim(benchmark::State& state) {
+  measure(state, [](const Pair& p) { return measure_ssim(p.test, p.reference, "visibility"); });
+}
+
 BENCHMARK(parity)->ArgName("threads")->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(visibility_error)->ArgName("threads")->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(penumbra)->ArgName("threads")->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(envelope)->ArgName("threads")->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(faults)->ArgName("threads")->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(flip)->ArgName("threads")->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(ssim)->ArgName("threads")->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
 }  // namespace umbrameter

@@ -34,13 +34,13 @@ struct Parity {
 };
 
 /// Compares position, normal, primitive_id and unshadowed_irradiance of two frames of one camera. The same
-/// primitive agrees; another one still agrees when position and normal do (an edge between two triangles of one
-/// surface falls on either side). Error{input} on size mismatch, missing channels, NaN.
+/// primitive agrees; another one still agrees when position and normal do (an edge between two triangles of
+/// one surface falls on either side). Error{input} on size mismatch, missing channels, NaN.
 Parity compare_surfaces(const Image& test, const Image& reference, const double eye_world[3],
                         const ParityTolerance& tolerance = {});
 
-/// 1 where a pixel is scored: surfaces agree and the light can reach it (unshadowed irradiance above 1e-6 of the
-/// image's largest).
+/// 1 where a pixel is scored: surfaces agree and the light can reach it (unshadowed irradiance above 1e-6 of
+/// the image's largest).
 std::vector<uint8_t> scored_mask(const Parity& parity, const Image& reference);
 
 }  // namespace umbrameter

@@ -1,5 +1,6 @@
 #pragma once
-// How far a technique's visibility is from the truth, with the truth's own noise taken out (METRICS 6.2, 6.4).
+// How far a technique's visibility is from the truth, with the truth's own noise taken out
+// (METRICS 6.2, 6.4).
 
 #include "core/image.h"
 
@@ -30,10 +31,10 @@ struct RegionError {
 /// Absent fields mean "not applicable": there was nothing to measure.
 struct VisibilityError {
   size_t scored_pixels = 0;
-  std::optional<Interval> mse;    // mean (V - A)(V - B): unbiased, may be slightly negative
-  std::optional<Interval> rmse;   // sign(mse) sqrt|mse|, interval mapped the same way
-  std::optional<double> mae;      // mean |V - R|; includes the reference's noise
-  std::optional<double> bias;     // mean (V - R)
+  std::optional<Interval> mse;            // mean (V - A)(V - B): unbiased, may be slightly negative
+  std::optional<Interval> rmse;           // sign(mse) sqrt|mse|, interval mapped the same way
+  std::optional<double> mae;              // mean |V - R|; includes the reference's noise
+  std::optional<double> bias;             // mean (V - R)
   std::optional<double> over_shadowing;   // mean max(0, R - V)
   std::optional<double> under_shadowing;  // mean max(0, V - R)
   std::optional<double> noise_floor_mse;  // mean visibility_se^2: what MAE-like numbers cannot resolve below
@@ -48,8 +49,9 @@ struct VisibilityErrorSettings {
   uint64_t seed = 1;
 };
 
-/// Compares `visibility` of `test` with visibility, half_a, half_b and visibility_se of `reference` where `mask`
-/// is not 0. Error{input} on size mismatch, missing channels, NaN (with its pixel), or values outside [0,1].
+/// Compares `visibility` of `test` with visibility, half_a, half_b and visibility_se of `reference` where
+/// `mask` is not 0. Error{input} on size mismatch, missing channels, NaN (with its pixel), or values outside
+/// [0,1].
 VisibilityError measure_visibility_error(const Image& test, const Image& reference,
                                          std::span<const uint8_t> mask,
                                          const VisibilityErrorSettings& settings = {});
