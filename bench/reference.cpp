@@ -52,7 +52,7 @@ Scene make_bench_scene() {
 
 struct Work {
   Scene scene = make_bench_scene();
-  EmbreeScene embree{1};
+  EmbreeScene embree;
   SampleSets sets{kPoints};
   struct Pixel {
     glm::vec3 origin_world;

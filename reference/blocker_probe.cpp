@@ -11,23 +11,17 @@ namespace umbrameter {
 
 namespace {
 
-struct Crossing {
-  uint32_t primitive;
-  float at;
-};
-
 /// Embree hands the context to the filter, which finds its list behind it.
 struct CollectingContext {
-  RTCIntersectContext embree;  // first: Embree's pointer is ours
-  std::vector<Crossing> crossings;
+  RTCIntersectContext embree;    // first: Embree's pointer is ours
+  std::vector<float> crossings;  // fractions of the way to the light
 };
 
 /// Notes the hit and refuses it, so that the ray goes on.
 void collect_crossing(const RTCFilterFunctionNArguments* arguments) {
   if (arguments->valid[0] == 0) return;
   auto* context = reinterpret_cast<CollectingContext*>(arguments->context);
-  context->crossings.push_back(
-      {RTCHitN_primID(arguments->hit, arguments->N, 0), RTCRayN_tfar(arguments->ray, arguments->N, 0)});
+  context->crossings.push_back(RTCRayN_tfar(arguments->ray, arguments->N, 0));
   arguments->valid[0] = 0;
 }
 
@@ -44,12 +38,13 @@ RTCRay ray_of_lane(const glm::vec3& origin_world, const ShadowRayBatch& batch, u
   return ray;
 }
 
-/// The tree may hold a triangle in several leaves and report it once for each.
-void drop_repeats(std::vector<Crossing>& crossings) {
-  std::sort(crossings.begin(), crossings.end(),
-            [](const Crossing& a, const Crossing& b) { return a.primitive < b.primitive; });
-  const auto same = [](const Crossing& a, const Crossing& b) { return a.primitive == b.primitive; };
-  crossings.erase(std::unique(crossings.begin(), crossings.end(), same), crossings.end());
+/// Sorts crossings, nearest first, and merges those that are one: an edge belongs to two triangles, and the
+/// tree may hold a triangle in several leaves.
+void merge_crossings(std::vector<float>& crossings) {
+  constexpr float kSame = 1e-6f;
+  std::ranges::sort(crossings);
+  const auto is_same = [](float nearer, float farther) { return farther - nearer <= kSame * farther; };
+  crossings.erase(std::unique(crossings.begin(), crossings.end(), is_same), crossings.end());
 }
 
 }  // namespace
@@ -70,12 +65,10 @@ BlockerStatistics probe_blockers(const EmbreeScene& embree, const glm::vec3& ori
     RTCRay ray = ray_of_lane(origin_world, batch, i);
     context.crossings.clear();
     rtcOccluded1(embree.handle(), &context.embree, &ray);
-    drop_repeats(context.crossings);
+    merge_crossings(context.crossings);
     if (context.crossings.empty()) continue;
-    const auto first = std::min_element(context.crossings.begin(), context.crossings.end(),
-                                        [](const Crossing& a, const Crossing& b) { return a.at < b.at; });
     const double length = std::hypot(batch.direction_x[i], batch.direction_y[i], batch.direction_z[i]);
-    const double distance = static_cast<double>(first->at) * length;
+    const double distance = static_cast<double>(context.crossings.front()) * length;
     nearest = std::min(nearest, distance);
     sum.distance_mean_world += distance;
     sum.layers_mean += static_cast<double>(context.crossings.size());

@@ -36,9 +36,9 @@ int widest_packet(RTCDevice device) {
 
 }  // namespace
 
-EmbreeScene::EmbreeScene(int threads) {
-  const std::string config = threads > 0 ? fmt::format("threads={}", threads) : std::string();
-  device_.reset(rtcNewDevice(config.c_str()));
+EmbreeScene::EmbreeScene() {
+  // No thread limit here: Embree would impose it on every user of TBB in the process.
+  device_.reset(rtcNewDevice(nullptr));
   if (!device_) {
     fail_environment(fmt::format("Embree could not start a device (error {})",
                                  static_cast<int>(rtcGetDeviceError(nullptr))),
@@ -63,7 +63,7 @@ void EmbreeScene::load(const Scene& scene) {
     rtcAttachGeometry(scene_.get(), geometry);
     rtcReleaseGeometry(geometry);
   }
-  rtcCommitScene(scene_.get());
+  rtcJoinCommitScene(scene_.get());
   throw_on_error("building the acceleration structure");
   loaded_hash_ = hash;
 }

@@ -27,11 +27,12 @@ using EmbreeSceneHandle = std::unique_ptr<std::remove_pointer_t<RTCScene>, Embre
 /// Owns copies of the vertices, so the Scene may go away.
 class EmbreeScene {
  public:
-  /// Starts a device for `threads` build threads (0 = all). Error{environment} when Embree cannot start.
-  explicit EmbreeScene(int threads);
+  /// Error{environment} when Embree cannot start.
+  EmbreeScene();
 
-  /// Makes `scene` the one that rays meet; does nothing when its triangles are those it holds already.
-  /// Error{environment} when memory runs out, Error{internal} for any other Embree error.
+  /// Makes `scene` the one that rays meet; does nothing when its triangles are those it holds already. Builds
+  /// with the threads of the caller's TBB arena. Error{environment} when memory runs out, Error{internal} for
+  /// any other Embree error.
   void load(const Scene& scene);
 
   RTCScene handle() const { return scene_.get(); }

@@ -82,8 +82,7 @@ class ReferenceRenderer final : public Renderer {
   explicit ReferenceRenderer(const ReferenceSettings& settings)
       : settings_(settings),
         sets_(static_cast<uint32_t>(checked_points(settings))),
-        arena_(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic),
-        embree_(settings.threads) {
+        arena_(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic) {
     arena_.initialize();
   }
 
