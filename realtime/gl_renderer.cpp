@@ -20,7 +20,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr int kMaxTimedFrames = 10000;
-/// Warm-up goes on until clocks and caches have settled: at least one frame, then more up to this.
 constexpr double kWarmUpMs = 50.0;
 constexpr int kMaxWarmUpFrames = 16;
 
@@ -166,29 +165,33 @@ class GlRenderer final : public Renderer {
 
   void draw(const Plan& plan, const SceneBuffers& buffers, const RenderRequest& request,
             const Technique& technique, Progress& progress, Frame& frame) {
-    progress.begin(technique.id, static_cast<uint64_t>(request.timed_frames) + 1);
-    draw_frame(plan, buffers, empty_vertex_array_, nullptr);
-    glFinish();
-    progress.advance(1);
-    if (request.timed_frames > 0) time_frames(plan, buffers, request.timed_frames, progress, frame);
+    const auto timed_frames = static_cast<uint64_t>(request.timed_frames);
+    progress.begin(technique.id, plan.steps.size() * (1 + timed_frames));
+    if (timed_frames == 0) {
+      draw_frame(plan, buffers, empty_vertex_array_, {nullptr, &progress});
+    } else {
+      time_frames(plan, buffers, request.timed_frames, progress, frame);
+    }
     progress.end();
   }
 
+  /// The first frame warms up and checks; short ones are repeated until clocks and caches have settled.
   void time_frames(const Plan& plan, const SceneBuffers& buffers, int count, Progress& progress,
                    Frame& frame) {
     if (!timer_) timer_ = choose_timer();
     PassTimers timers(*timer_, plan.labels);
-    const auto draw_timed = [&](bool is_counted) {
+    const auto draw_timed = [&](bool is_counted, Progress* watch) {
       timers.begin_frame(is_counted);
-      draw_frame(plan, buffers, empty_vertex_array_, &timers);
+      draw_frame(plan, buffers, empty_vertex_array_, {&timers, watch});
       timers.end_frame();
     };
     const Clock::time_point start = Clock::now();
-    for (int i = 0; i == 0 || (i < kMaxWarmUpFrames && milliseconds_since(start) < kWarmUpMs); ++i)
-      draw_timed(false);
+    draw_timed(false, &progress);
+    for (int i = 1; i < kMaxWarmUpFrames && milliseconds_since(start) < kWarmUpMs; ++i)
+      draw_timed(false, nullptr);
     for (int i = 0; i < count; ++i) {
-      draw_timed(true);
-      progress.advance(1);
+      draw_timed(true, nullptr);
+      progress.advance(plan.steps.size());
     }
     check_gl_errors("timed frames");
     frame.pass_times = timers.results();

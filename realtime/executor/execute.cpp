@@ -73,21 +73,27 @@ void draw_step(const Plan& plan, const Step& step, const SceneBuffers& scene_buf
   }
 }
 
+/// GL runs behind the calls: waiting now and then keeps the progress honest.
+void report_step(const Plan& plan, size_t step, Progress& progress) {
+  constexpr size_t kStepsBetweenWaits = 16;
+  check_gl_errors(fmt::format("pass '{}'", plan.passes[plan.steps[step].pass].declaration->id));
+  if (step % kStepsBetweenWaits == kStepsBetweenWaits - 1) glFinish();
+  progress.advance(1);
+}
+
 }  // namespace
 
 void draw_frame(const Plan& plan, const SceneBuffers& scene_buffers, const VertexArray& empty_vertex_array,
-                PassTimers* timers) {
+                const FrameWatch& watch) {
   for (const UniformRange& range : plan.frame_uniforms) bind_range(plan.uniforms, range);
+  const auto label = [&plan](size_t step) { return plan.passes[plan.steps[step].pass].label; };
   for (size_t i = 0; i < plan.steps.size(); ++i) {
-    const size_t label = plan.passes[plan.steps[i].pass].label;
-    const bool starts = i == 0 || plan.passes[plan.steps[i - 1].pass].label != label;
-    const bool ends = i + 1 == plan.steps.size() || plan.passes[plan.steps[i + 1].pass].label != label;
-    if (timers != nullptr && starts) timers->begin(label);
+    const bool starts = i == 0 || label(i - 1) != label(i);
+    const bool ends = i + 1 == plan.steps.size() || label(i + 1) != label(i);
+    if (watch.timers != nullptr && starts) watch.timers->begin(label(i));
     draw_step(plan, plan.steps[i], scene_buffers, empty_vertex_array);
-    if (timers != nullptr && ends) timers->end();
-    if (timers == nullptr) {
-      check_gl_errors(fmt::format("pass '{}'", plan.passes[plan.steps[i].pass].declaration->id));
-    }
+    if (watch.timers != nullptr && ends) watch.timers->end();
+    if (watch.progress != nullptr) report_step(plan, i, *watch.progress);
   }
 }
 

@@ -1,14 +1,20 @@
 #pragma once
 // Draws a plan.
 
+#include "core/progress.h"
 #include "realtime/executor/plan.h"
 #include "realtime/harness/timers.h"
 
 namespace umbrameter {
 
-/// One frame. With `timers` (labels: the plan's) each run of equal labels is timed; without, GL errors are
-/// checked after every pass and name it.
+struct FrameWatch {
+  PassTimers* timers = nullptr;  // with the plan's labels: each run of equal labels is timed
+  Progress* progress =
+      nullptr;  // one step per draw; the first frame of a plan, which also checks GL errors per pass
+};
+
+/// One frame. Without `watch.progress` nothing but binding and drawing happens.
 void draw_frame(const Plan& plan, const SceneBuffers& scene_buffers, const VertexArray& empty_vertex_array,
-                PassTimers* timers);
+                const FrameWatch& watch);
 
 }  // namespace umbrameter

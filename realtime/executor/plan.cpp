@@ -128,67 +128,15 @@ class Planner {
   }
 
   PreparedPass prepare(const PassDeclaration& pass) {
-    PreparedPass prepared;
-    prepared.declaration = &pass;
-    attach_targets(pass, prepared);
-    for (size_t unit = 0; unit < pass.reads.size(); ++unit) {
-      const Target* target = plan_.targets->find(pass.reads[unit]);
-      if (target != nullptr) prepared.textures.emplace_back(static_cast<GLuint>(unit), target);
-    }
-    prepared.program = compile(pass);
+    std::vector<std::string> loop_variables;
+    for (const Loop& loop : loops_) loop_variables.push_back(loop.variable);
+    PreparedPass prepared = prepare_pass(pass, inputs_, *plan_.targets, loop_variables, programs_);
     for (const std::string& warning : prepared.program->warnings()) {
       if (std::ranges::find(plan_.warnings, warning) == plan_.warnings.end())
         plan_.warnings.push_back(warning);
     }
     prepared.label = label_index(pass.timer.empty() ? pass.id : pass.timer);
     return prepared;
-  }
-
-  void attach_targets(const PassDeclaration& pass, PreparedPass& prepared) {
-    std::vector<const Texture*> colors;
-    const Texture* depth = nullptr;
-    for (const std::string& name : pass.writes) {
-      const Target* target = plan_.targets->find(name);
-      if (target == nullptr) {
-        fail_input(fmt::format("pass '{}' writes '{}', whose condition does not hold", pass.id, name),
-                   pass.where, "give the pass the same condition");
-      }
-      const Texture& texture = *target->texture;
-      const Texture* first = colors.empty() ? depth : colors.front();
-      if (first != nullptr && (first->width() != texture.width() || first->height() != texture.height())) {
-        fail_input(
-            fmt::format("pass '{}' writes targets of different size: '{}' is {}x{}, another {}x{}", pass.id,
-                        name, texture.width(), texture.height(), first->width(), first->height()),
-            pass.where);
-      }
-      if (texture.format().is_depth) {
-        depth = &texture;
-      } else {
-        colors.push_back(&texture);
-        prepared.color_formats.push_back(&texture.format());
-      }
-    }
-    prepared.has_depth = depth != nullptr;
-    prepared.framebuffer = Framebuffer(colors, depth);
-  }
-
-  std::shared_ptr<const Program> compile(const PassDeclaration& pass) {
-    PreludeInputs prelude{inputs_.technique, inputs_.values, pass, {}, {}};
-    for (const Loop& loop : loops_) prelude.loop_variables.push_back(loop.variable);
-    prelude.format_of = [this](const std::string& name) {
-      const Target* target = plan_.targets->find(name);
-      return target == nullptr ? nullptr : &target->texture->format();
-    };
-    std::string vertex = pass.vertex;
-    if (vertex.empty()) vertex = pass.kind == "scene" ? "light_map.vert" : "fullscreen.vert";
-    const auto file = [&](const std::string& name) {
-      return find_shader(name, inputs_.technique.folder, inputs_.shaders_folder, pass.where);
-    };
-    std::vector<ShaderFile> stages = {{ShaderStage::vertex, file(vertex), vertex_prelude(prelude)}};
-    if (!pass.fragment.empty()) {
-      stages.push_back({ShaderStage::fragment, file(pass.fragment), fragment_prelude(prelude)});
-    }
-    return programs_.get(stages);
   }
 
   size_t label_index(const std::string& label) {

@@ -2,26 +2,14 @@
 // A run as a flat list of draws: loops unrolled, programs compiled, textures made, all uniform data in one
 // buffer. Executing it only binds and draws.
 
+#include "realtime/executor/prepare_pass.h"
 #include "realtime/executor/run_views.h"
-#include "realtime/executor/targets.h"
-#include "realtime/harness/program.h"
 
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace umbrameter {
-
-/// A pass with everything that is the same in all its iterations.
-struct PreparedPass {
-  const PassDeclaration* declaration = nullptr;
-  std::shared_ptr<const Program> program;
-  Framebuffer framebuffer;
-  std::vector<const TextureFormat*> color_formats;
-  bool has_depth = false;
-  std::vector<std::pair<GLuint, const Target*>> textures;  // by unit
-  size_t label = 0;                                        // in Plan::labels
-};
 
 /// A range of the plan's uniform buffer.
 struct UniformRange {
