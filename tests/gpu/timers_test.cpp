@@ -1,0 +1,63 @@
+// Without these, a time could be that of another clock, another pass or another frame.
+
+#include "realtime/harness/timers.h"
+#include "tests/gpu/gl_test.h"
+
+#include <array>
+
+namespace umbrameter {
+namespace {
+
+class TimersTest : public test::GlTest {};
+
+TEST_F(TimersTest, SoftwareRenderersAreTimedByTheWallClock) {
+  const TimerKind kind = choose_timer();
+  if (context().device().is_hardware) GTEST_SKIP() << "this is " << context().device().renderer;
+  EXPECT_EQ(to_text(kind), "glFinish + steady clock");
+}
+
+class EitherTimer : public test::GlTest, public ::testing::WithParamInterface<TimerKind> {};
+
+TEST_P(EitherTimer, ReportsEveryLabelAndTheTotalOverCountedFramesOnly) {
+  const Texture texture(find_texture_format("r32f"), 16, 16);
+  PassTimers timers(GetParam(), {"map", "filter", "never"});
+  for (int frame = 0; frame < 4; ++frame) {
+    timers.begin_frame(frame > 0);
+    for (int repeat = 0; repeat < 3; ++repeat) {
+      for (const size_t label : {0u, 1u}) {
+        timers.begin(label);
+        clear_texture(texture, std::array{1.0});
+        timers.end();
+      }
+    }
+    timers.end_frame();
+  }
+  const std::vector<PassTime> results = timers.results();
+  ASSERT_EQ(results.size(), 4u);
+  EXPECT_EQ(results[0].pass, "map");
+  EXPECT_EQ(results[1].pass, "filter");
+  EXPECT_EQ(results[3].pass, "total");
+  for (const PassTime& time : results) EXPECT_EQ(time.frames, 3) << time.pass;
+  EXPECT_EQ(results[2].median_ms, 0.0);
+  check_gl_errors("timing");
+}
+
+TEST_P(EitherTimer, RefusesIntervalsThatAreNotClosed) {
+  PassTimers timers(GetParam(), {"map"});
+  timers.begin_frame(true);
+  EXPECT_THROW(timers.end(), Error);
+  timers.begin(0);
+  EXPECT_THROW(timers.begin(0), Error);
+  EXPECT_THROW(timers.end_frame(), Error);
+  timers.end();
+  EXPECT_THROW(timers.begin(1), Error);
+}
+
+INSTANTIATE_TEST_SUITE_P(Timers, EitherTimer,
+                         ::testing::Values(TimerKind::elapsed_query, TimerKind::finish_and_clock),
+                         [](const auto& test) {
+                           return test.param == TimerKind::elapsed_query ? "Query" : "FinishAndClock";
+                         });
+
+}  // namespace
+}  // namespace umbrameter
