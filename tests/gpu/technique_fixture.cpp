@@ -4,6 +4,8 @@
 #include "realtime/realtime.h"
 #include "tests/support/procedural_scene.h"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -99,12 +101,27 @@ Scene half_plane_scene(const Light& light) {
   return scene;
 }
 
-double half_plane_visibility(const Light& light, double x) {
+/// A sphere shows p a disk of radius r / sqrt(1 - (r/d)^2) facing it; the plane through p and the edge cuts
+/// that disk along a line.
+double half_plane_visibility_of_sphere(const Light& light, const glm::dvec3& p_world) {
+  const glm::dvec3 to_center = light.center_world - p_world;
+  const double distance = glm::length(to_center);
+  const double ratio = light.radius_world / distance;
+  const double disk_radius = light.radius_world / std::sqrt(1.0 - ratio * ratio);
+  // Normal of the plane through p and the edge {(0, edge height, z)}, towards the open side.
+  const glm::dvec3 normal = glm::normalize(glm::dvec3(kEdgeHeight, p_world.x, 0.0));
+  const double cos_axis = glm::dot(normal, to_center / distance);
+  const double center_offset = glm::dot(normal, to_center) / std::sqrt(1.0 - cos_axis * cos_axis);
+  return disk_share_beyond(-center_offset / disk_radius);
+}
+
+double half_plane_visibility(const Light& light, const glm::dvec3& p_world) {
+  if (light.type == LightType::sphere) return half_plane_visibility_of_sphere(light, p_world);
   if (light.type == LightType::sun) {
-    return disk_share_beyond(-x / (kEdgeHeight * std::tan(light.half_angle_rad)));
+    return disk_share_beyond(-p_world.x / (kEdgeHeight * std::tan(light.half_angle_rad)));
   }
   // The ray from (x, 0) through the edge (0, edge height) reaches the light's plane here.
-  const double edge_on_light = x - x * kLightHeight / kEdgeHeight;
+  const double edge_on_light = p_world.x - p_world.x * kLightHeight / kEdgeHeight;
   if (light.type == LightType::rect) {
     return overlap(-0.5 * light.size_world.x, 0.5 * light.size_world.x, edge_on_light, 1e9) /
            light.size_world.x;

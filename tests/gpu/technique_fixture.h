@@ -30,9 +30,8 @@ Light light_at_4(LightType type, double size);
 
 /// A floor at y = 0 and, 1.5 above it, a plate over all x < 0, seen from below the plate.
 Scene half_plane_scene(const Light& light);
-/// Share of a square or disk light at height 4 that floor point x sees past the edge x = 0 at height 1.5;
-/// sun: overhead.
-double half_plane_visibility(const Light& light, double x);
+/// Share of a light at height 4 that a floor point sees past the edge x = 0 at height 1.5; sun: overhead.
+double half_plane_visibility(const Light& light, const glm::dvec3& p_world);
 
 /// A floor at y = 0 and a plate of 1 x 0.8 one above it, under a rect light of 1.2 x 0.6 at (0.2, 4, 0.1).
 Scene plate_scene();

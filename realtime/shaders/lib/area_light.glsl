@@ -19,6 +19,13 @@ vec2 kernel_point(AreaLight light, int index, int count, vec2 noise) {
   return vogel_disk(index, count, kTwoPi * noise.x);
 }
 
+/// Moves a kernel point of radius r (uniform in area: r^2 is a fraction u of the points) to radius u^focus: 0.5 leaves
+/// it, more crowds the middle, where the rays of small penumbrae are.
+vec2 focused(AreaLight light, vec2 kernel, float focus) {
+  float radius = light.type == kRect ? max(abs(kernel.x), abs(kernel.y)) : length(kernel);
+  return radius > 0.0 ? kernel * pow(radius, 2.0 * focus - 1.0) : kernel;
+}
+
 /// A sphere shows every receiver a disk that faces it, scaled to span the sphere's cone: r / sqrt(1 - (r/d)^2).
 vec3 point_of_sphere(vec3 p_light, float radius, vec2 kernel) {
   float distance2 = dot(p_light, p_light);
@@ -40,4 +47,21 @@ vec3 ray_to_light(AreaLight light, Receiver receiver, vec2 kernel) {
 /// h (1/z - 1/z_receiver) in tan space, and (z_receiver - z) tan a for the sun (TECHNIQUES 2.11, 2.12).
 vec2 lateral_on_ray(LightViewData view, Receiver receiver, vec3 ray, float z) {
   return lateral_of(view, receiver.p_light - ray * ((receiver.p_light.z - z) / ray.z));
+}
+
+/// Whether the line from the receiver through a blocker at `lateral`, distance z, goes on to the light; the light is
+/// taken wider by what `slack_lateral` at the blocker lets through, because the map places blockers no finer.
+bool is_in_light_cone(AreaLight light, LightViewData view, Receiver receiver, vec2 lateral, float z,
+                      float slack_lateral) {
+  vec3 p = receiver.p_light;
+  if (is_orthographic(view)) return length(lateral - p.xy) <= (p.z - z) * light.half_extent.x + slack_lateral;
+  vec3 offset = vec3(lateral * z, z) - p;
+  float reach = p.z / (p.z - z);
+  float slack = slack_lateral * z * reach;
+  if (light.type == kSphere) {  // the line's distance from the sphere's centre
+    return length(cross(p, offset)) <= (light.half_extent.x + slack) * length(offset);
+  }
+  vec2 on_light = abs(p.xy + offset.xy * reach);
+  if (light.type == kRect) return all(lessThanEqual(on_light, light.half_extent + slack));
+  return length(on_light) <= light.half_extent.x + slack;
 }

@@ -39,8 +39,13 @@ vec2 lateral_of_texel(LightViewData view, vec2 p_texels) {
   return view.lateral_bounds.xy + p_texels / view.depth_range.w * extent;
 }
 
-/// Width of a texel in the world at a distance; the wider side where texels are not square.
-float texel_world(LightViewData view, float distance_world) {
+/// Width of a texel in lateral coordinates; the wider side where texels are not square.
+float texel_lateral(LightViewData view) {
   vec2 size = (view.lateral_bounds.zw - view.lateral_bounds.xy) / view.depth_range.w;
-  return max(size.x, size.y) * (is_orthographic(view) ? 1.0 : distance_world);
+  return max(size.x, size.y);
+}
+
+/// Width of a texel in the world at a distance.
+float texel_world(LightViewData view, float distance_world) {
+  return texel_lateral(view) * (is_orthographic(view) ? 1.0 : distance_world);
 }

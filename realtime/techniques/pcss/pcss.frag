@@ -7,14 +7,19 @@
 /// Their mean distance, or the receiver's own for none.
 float mean_blocker_distance(AreaLight light, Receiver receiver, vec2 noise) {
   bool is_harmonic = AVERAGE == AVERAGE_HARMONIC && !is_orthographic(view_light);
+  float slack = texel_lateral(view_light);
   float sum = 0.0;
   float count = 0.0;
   for (int i = 0; i < SEARCH_TAPS; ++i) {
-    vec3 ray = ray_to_light(light, receiver, kernel_point(light, i, SEARCH_TAPS, noise));
+    vec2 kernel = focused(light, kernel_point(light, i, SEARCH_TAPS, noise), search_focus);
+    vec3 ray = ray_to_light(light, receiver, kernel);
     if (ray.z >= 0.0 || !faces(receiver, ray)) continue;
     vec2 lateral = lateral_on_ray(view_light, receiver, ray, view_light.depth_range.x);
+    ivec2 texel = texel_at(view_light, lateral);
     float z_blocker;
-    if (!find_blocker(shadow_map, view_light, receiver, texel_at(view_light, lateral), z_blocker)) continue;
+    if (!find_blocker(shadow_map, view_light, receiver, texel, z_blocker)) continue;
+    vec2 lateral_blocker = lateral_of_texel(view_light, vec2(texel) + 0.5);
+    if (SEARCH_CONE != 0 && !is_in_light_cone(light, view_light, receiver, lateral_blocker, z_blocker, slack)) continue;
     sum += is_harmonic ? 1.0 / z_blocker : z_blocker;
     count += 1.0;
   }
