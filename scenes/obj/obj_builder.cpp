@@ -19,6 +19,11 @@ bool is_finite(const glm::dvec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
+bool can_normalize(const glm::dvec3& v) {
+  const double length = glm::length(v);
+  return length > 0.0 && std::isfinite(length);
+}
+
 bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
@@ -107,7 +112,7 @@ void ObjBuilder::add_face(std::span<const ObjCorner> corners) {
     positions.push_back(resolve(corner.position, mesh_.positions.size(), "vertex"));
     points.push_back(mesh_.positions[positions.back()]);
     normals.push_back(corner.normal == 0 ? kNoNormal : resolve(corner.normal, normals_.size(), "normal"));
-    has_normals &= normals.back() != kNoNormal && glm::length(normals_[normals.back()]) > 0.0;
+    has_normals &= normals.back() != kNoNormal && can_normalize(normals_[normals.back()]);
   }
   if (!kept_) return;
   for (const auto& [a, b, c] : triangulate(points)) {

@@ -114,7 +114,8 @@ TEST_F(Obj, NormalsAreKeptWhenEveryCornerHasOne) {
 TEST_F(Obj, PartialOrZeroNormalsMeanFlatShadingAndAWarning) {
   for (const std::string faces :
        {"vn 0 0 1\nf 1//1 2//1 3//1\nf 1 3 4\n", "f 1 3 4\nvn 0 0 1\nf 1//1 2//1 3//1\n",
-        "vn 0 0 1\nvn 0 0 0\nf 1//1 2//1 3//1\nf 1//2 3//2 4//2\n"}) {
+        "vn 0 0 1\nvn 0 0 0\nf 1//1 2//1 3//1\nf 1//2 3//2 4//2\n",
+        "vn 0 0 1\nvn 0 0 1e200\nf 1//1 2//1 3//1\nf 1//2 3//2 4//2\n"}) {
     EXPECT_TRUE(load(kSquare + faces).normals.empty());
     EXPECT_THAT(warnings_, ElementsAre("m.obj: 1 of 2 triangles lack normals, so it is shaded flat"));
   }
