@@ -68,7 +68,10 @@ Preset read_preset(const Technique& technique, const TomlNode& table) {
   preset.doc = reader.text("doc", "");
   Names known;
   for (const Parameter& parameter : technique.parameters) known.push_back(parameter.name);
-  for (const auto& [name, node] : reader.require("values").entries) {
+  const TomlNode& values = reader.require("values");
+  if (values.type != TomlNode::Type::table)
+    reader.fail("values", "'values' must be written as [preset.values]");
+  for (const auto& [name, node] : values.entries) {
     const auto found = std::ranges::find(technique.parameters, name, &Parameter::name);
     if (found == technique.parameters.end()) {
       fail_input(fmt::format("preset '{}' sets an unknown parameter '{}'", preset.name, name), node.where,

@@ -7,6 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <random>
+
 namespace umbrameter {
 namespace {
 
@@ -357,6 +359,11 @@ TEST(Manifest, PresetsMustFitTheParameters) {
               AllOf(HasSubstr("preset 'fine'"), HasSubstr("taps <= map_size"), HasSubstr("taps = 64")));
 }
 
+TEST(Manifest, PresetValuesMustBeATable) {
+  EXPECT_THAT(error_after("[preset.values]\nmap_size = 1024\ntaps = 64", "values = 3"),
+              HasSubstr("[preset.values]"));
+}
+
 TEST(Manifest, DefaultsMustHoldTheConstraints) {
   EXPECT_THAT(error_after("taps <= map_size", "taps > map_size"),
               AllOf(HasSubstr("technique.toml:7:"), HasSubstr("the defaults"), HasSubstr("map_size = 32")));
@@ -452,6 +459,34 @@ TEST(Parameters, IntegersServeForRealParameters) {
   const ParameterValues values =
       resolve_parameters(load(folder, whole_manifest()), {{"softness", int64_t{1}}});
   EXPECT_EQ(std::get<double>(values.at("softness")), 1.0);
+}
+
+// A manifest with one letter wrong loads or is refused as bad input, never anything else.
+TEST(Manifest, SlipsOfTheKeyboardNeverEscapeAsAnythingElse) {
+  constexpr std::string_view kLetters = "aZ0.-_\"'[]{}=#,\n ";
+  std::mt19937 random(1);
+  TechniqueFolder folder;
+  int loaded = 0;
+  int refused = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    std::string manifest = whole_manifest();
+    const size_t at = random() % manifest.size();
+    if (trial % 2 == 0) {
+      manifest[at] = kLetters[random() % kLetters.size()];
+    } else {
+      manifest.erase(at, 1 + random() % 20);
+    }
+    try {
+      load(folder, manifest);
+      ++loaded;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::input) << error.what();
+      EXPECT_FALSE(error.where().file.empty()) << error.what();
+      ++refused;
+    }
+  }
+  EXPECT_GT(loaded, 10);  // the walk reaches both outcomes
+  EXPECT_GT(refused, 100);
 }
 
 // Every technique of ours must pass its own checks.
