@@ -16,6 +16,12 @@ TEST_F(TimersTest, SoftwareRenderersAreTimedByTheWallClock) {
   EXPECT_EQ(to_text(kind), "glFinish + steady clock");
 }
 
+TEST_F(TimersTest, TheCheckCanBeRepeatedAndLeavesNoErrorBehind) {
+  const TimerKind first = choose_timer();
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(choose_timer(), first);
+  EXPECT_NO_THROW(check_gl_errors("after the checks"));
+}
+
 class EitherTimer : public test::GlTest, public ::testing::WithParamInterface<TimerKind> {};
 
 TEST_P(EitherTimer, ReportsEveryLabelAndTheTotalOverCountedFramesOnly) {
