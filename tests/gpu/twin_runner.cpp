@@ -1,16 +1,13 @@
 #include "tests/gpu/twin_runner.h"
 
-#include "realtime/harness/context.h"
 #include "realtime/harness/objects.h"
 #include "realtime/harness/program.h"
+#include "tests/gpu/gl_test.h"
 #include "tests/support/temporary_folder.h"
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
-
 #include <filesystem>
 #include <fstream>
-#include <optional>
 
 namespace umbrameter::test {
 namespace {
@@ -18,17 +15,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kGroupSize = 64;
-
-/// A context, or nothing after a skip.
-std::optional<GlContext> open_context() {
-  try {
-    return GlContext();
-  } catch (const Error& error) {
-    if (error.kind() != ErrorKind::environment) throw;
-    [&] { GTEST_SKIP() << error.what(); }();
-    return std::nullopt;
-  }
-}
 
 std::string compute_shader(const std::string& include, const std::string& expression) {
   return fmt::format(R"(#include "{}"
@@ -63,13 +49,10 @@ std::vector<glm::vec4> dispatch(const Program& program, std::span<const glm::vec
 
 std::vector<glm::vec4> run_glsl(const std::string& include, const std::string& expression,
                                 std::span<const glm::vec4> inputs) {
-  const std::optional<GlContext> context = open_context();
-  if (!context) return {};
   const TemporaryFolder folder;
   const fs::path file = folder.path() / "twin.comp";
   std::ofstream(file) << compute_shader(include, expression);
-  const fs::path shaders = fs::path(UMBRAMETER_SOURCE_DIR) / "realtime/shaders";
-  const fs::path search[] = {shaders / "lib", shaders / "shared"};
+  const fs::path search[] = {shaders_folder() / "lib", shaders_folder() / "shared"};
   const ShaderFile stage{ShaderStage::compute, file, "#include \"frame_data.h\"\n"};
   const Program program({&stage, 1}, search);
   return dispatch(program, inputs);

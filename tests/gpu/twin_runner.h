@@ -10,8 +10,7 @@
 namespace umbrameter::test {
 
 /// One result per input. `include` is a file of realtime/shaders/lib; `expression` is GLSL of type vec4 in
-/// which `x` is the input. Empty when this machine has no GL, after marking the test as skipped with the
-/// reason.
+/// which `x` is the input. Needs a current context.
 std::vector<glm::vec4> run_glsl(const std::string& include, const std::string& expression,
                                 std::span<const glm::vec4> inputs);
 
