@@ -173,6 +173,43 @@ TEST(every_technique, a_plane_does_not_shadow_itself_at_any_slope) {
   }
 }
 
+/// Share of pixels that differ by more than a tap or two.
+double differing_share(const std::vector<float>& a, const std::vector<float>& b) {
+  size_t different = 0;
+  for (size_t i = 0; i < a.size(); ++i) different += std::abs(a[i] - b[i]) > 0.15f ? 1 : 0;
+  return static_cast<double>(different) / static_cast<double>(a.size());
+}
+
+TEST(every_technique, answer_does_not_depend_on_the_unit_of_length) {
+  UMBRAMETER_REQUIRE_GL();
+  // A power of two scales floats without rounding; bias_world is 0 by default and everything else is
+  // relative.
+  for (const LightType type : {LightType::rect, LightType::sun}) {
+    const Scene scene = busy_scene(light_at_4(type, 0.5));
+    for (const Technique& technique : techniques()) {
+      const auto scaled = visibility(scaled_scene(scene, 64.0), technique.id, quick(technique));
+      EXPECT_LT(differing_share(visibility(scene, technique.id, quick(technique)), scaled), 1e-3)
+          << technique.id << " " << to_text(type);
+    }
+  }
+}
+
+TEST(every_technique, answer_moves_with_the_scene) {
+  UMBRAMETER_REQUIRE_GL();
+  // A quarter turn about y and a shift by powers of two keep the floats; maps and patterns turn along.
+  const glm::dmat4 motion = glm::translate(glm::dmat4(1.0), glm::dvec3(8, -4, 16)) *
+                            glm::rotate(glm::dmat4(1.0), glm::radians(90.0), glm::dvec3(0, 1, 0));
+  for (const LightType type : {LightType::rect, LightType::sun}) {
+    const Scene scene = busy_scene(light_at_4(type, 0.5));
+    for (const Technique& technique : techniques()) {
+      const auto moved = visibility(moved_scene(scene, motion), technique.id, quick(technique));
+      // Shadow outlines may fall to the other side of a texel: a few per cent of the picture are outline.
+      EXPECT_LT(differing_share(visibility(scene, technique.id, quick(technique)), moved), 0.02)
+          << technique.id << " " << to_text(type);
+    }
+  }
+}
+
 TEST(pcss, with_a_tiny_light_is_the_hard_shadow) {
   UMBRAMETER_REQUIRE_GL();
   for (const LightType type : {LightType::rect, LightType::disk, LightType::sphere, LightType::sun}) {

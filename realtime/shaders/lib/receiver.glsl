@@ -66,7 +66,7 @@ vec3 to_viewpoint(LightViewData view, Receiver receiver) {
   return is_orthographic(view) ? vec3(0.0, 0.0, -1.0) : -receiver.p_light;
 }
 
-/// Whether the receiver lies behind a perspective view, where no map looks.
+/// Whether the receiver lies behind a perspective view, outside any map.
 bool is_behind(LightViewData view, Receiver receiver) {
   return !is_orthographic(view) && receiver.p_light.z <= 0.0;
 }

@@ -23,8 +23,9 @@ bool is_blocked(sampler2D map, LightViewData view, Receiver receiver, ivec2 texe
 
 ivec2 texel_at(LightViewData view, vec2 lateral) { return ivec2(floor(texel_position(view, lateral))); }
 
-/// One comparison from the view's viewpoint: 0 behind the surface or the light, and where something is nearer.
+/// One comparison from the view's viewpoint: 0 behind the surface and where something is nearer.
 float hard_visibility(sampler2D map, LightViewData view, Receiver receiver) {
-  if (is_behind(view, receiver) || !faces(receiver, to_viewpoint(view, receiver))) return 0.0;
+  if (!faces(receiver, to_viewpoint(view, receiver))) return 0.0;
+  if (is_behind(view, receiver)) return 1.0;
   return is_blocked(map, view, receiver, texel_at(view, receiver.lateral)) ? 0.0 : 1.0;
 }

@@ -21,7 +21,8 @@ float box_mean(Receiver receiver, float width_texels) {
 }
 
 float visibility_of(Receiver receiver) {
-  if (is_behind(view_light, receiver) || !faces(receiver, to_viewpoint(view_light, receiver))) return 0.0;
+  if (!faces(receiver, to_viewpoint(view_light, receiver))) return 0.0;
+  if (is_behind(view_light, receiver)) return 1.0;
   return box_mean(receiver, filter_width_texels);
 }
 

@@ -52,9 +52,9 @@ vec2 pixel_noise() {
 
 float visibility_of(Receiver receiver) {
   AreaLight light = AreaLight(frame.light_type.x, frame.light_extent.xy);
-  if (is_behind(view_light, receiver)) return light.type == kSphere ? 1.0 : 0.0;
   vec2 noise = pixel_noise();
-  return visible_share(light, receiver, mean_blocker_distance(light, receiver, noise), noise);
+  float z_blocker = is_behind(view_light, receiver) ? receiver.p_light.z : mean_blocker_distance(light, receiver, noise);
+  return visible_share(light, receiver, z_blocker, noise);
 }
 
 void main() {
