@@ -53,7 +53,8 @@ vec2 pixel_noise() {
 float visibility_of(Receiver receiver) {
   AreaLight light = AreaLight(frame.light_type.x, frame.light_extent.xy);
   vec2 noise = pixel_noise();
-  float z_blocker = is_behind(view_light, receiver) ? receiver.p_light.z : mean_blocker_distance(light, receiver, noise);
+  bool is_outside = is_behind(view_light, receiver);
+  float z_blocker = is_outside ? receiver.p_light.z : mean_blocker_distance(light, receiver, noise);
   return visible_share(light, receiver, z_blocker, noise);
 }
 
