@@ -1,6 +1,7 @@
 #include "realtime/harness/program.h"
 
 #include "core/hash.h"
+#include "realtime/harness/debug_log.h"
 
 #include <algorithm>
 #include <array>
@@ -37,6 +38,13 @@ std::string program_log(GLuint program) {
   return log;
 }
 
+/// Drivers report bad GLSL through KHR_debug as well: told here, it must not fail the next check of GL.
+[[noreturn]] void fail_glsl(const std::string& message, const FileLocation& where,
+                            const std::string& hint = {}) {
+  take_gl_errors();
+  fail_input(message, where, hint);
+}
+
 /// The first error names the place; the user fixes that one first.
 [[noreturn]] void fail_compile(const std::vector<ShaderMessage>& messages, const ShaderFile& file) {
   const auto is_error = [](const ShaderMessage& message) { return message.is_error; };
@@ -46,8 +54,8 @@ std::string program_log(GLuint program) {
   const std::string text = first == messages.end() ? "the driver gave no reason" : first->text;
   const std::string more = errors > 1 ? fmt::format("{} more after it", errors - 1) : "";
   const bool has_place = first != messages.end() && !first->where.file.empty();
-  fail_input("GLSL does not compile: " + text,
-             has_place ? first->where : FileLocation{file.file.string(), 0, 0}, more);
+  fail_glsl("GLSL does not compile: " + text,
+            has_place ? first->where : FileLocation{file.file.string(), 0, 0}, more);
 }
 
 Shader compile(const ShaderFile& file, const ShaderSource& source, std::vector<std::string>& warnings) {
@@ -80,8 +88,8 @@ void require_linked(GLuint program, std::span<const ShaderFile> stages) {
   std::string log = program_log(program);
   std::replace(log.begin(), log.end(), '\n', ' ');
   while (!log.empty() && log.back() == ' ') log.pop_back();
-  fail_input("GLSL does not link: " + (log.empty() ? "the driver gave no reason" : log),
-             {stages.back().file.string(), 0, 0});
+  fail_glsl("GLSL does not link: " + (log.empty() ? "the driver gave no reason" : log),
+            {stages.back().file.string(), 0, 0});
 }
 
 std::string resource_name(GLuint program, GLenum interface, GLuint index, GLint length) {

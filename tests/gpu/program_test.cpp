@@ -49,6 +49,12 @@ TEST_F(ProgramTest, AMistakeIsReportedAtItsOwnLine) {
               AllOf(HasSubstr(file.string() + ":3"), HasSubstr("no_such_name")));
 }
 
+TEST_F(ProgramTest, AMistakeDoesNotFailTheNextCheckOfGl) {
+  const fs::path file = write("wrong.frag", "void main() { no_such_function(); }\n");
+  error_of(ErrorKind::input, [&] { build(file); });
+  EXPECT_NO_THROW(check_gl_errors("the next pass"));
+}
+
 TEST_F(ProgramTest, AMistakeAfterAnIncludeIsReportedAtItsOwnLine) {
   write("three_lines.glsl", "float a() { return 1.0; }\n\n\n");
   const fs::path file = write("wrong.frag",
