@@ -25,6 +25,12 @@ TEST(Toml, SyntaxErrorsNameLineAndColumn) {
               testing::StartsWith("x.toml:2:5: "));
 }
 
+TEST(Toml, MalformedHeadersAreErrorsInEveryBuild) {
+  for (const char* document : {"[!]", "[\n", "[[a]\n"}) {
+    EXPECT_THAT(message_of([&] { parse_toml(document, "x.toml"); }), testing::StartsWith("x.toml:1:"));
+  }
+}
+
 TEST(Toml, UnknownKeyNamesPlaceAndNearestKey) {
   const TomlNode table = parse_toml("radius_world = 1.0\nradius_wrold = 2.0\n", "x.toml");
   TomlReader reader(table, "[light]");
