@@ -1,10 +1,12 @@
 // What the integrator costs over Embree itself: the same shadow rays, once made, traced and summed by the
 // reference, once recorded and only traced. One thread. Prints the ratio of the rates at the end.
+//   bench_reference [SCENE.toml [ASSETS]] [--benchmark_...]      without a scene: columns and spheres
 
 #include "reference/embree_scene.h"
 #include "reference/primary_hit.h"
 #include "reference/shadow_packet.h"
 #include "reference/shadow_sampler.h"
+#include "scenes/load_scene.h"
 #include "scenes/merge_meshes.h"
 #include "scenes/shapes.h"
 
@@ -12,9 +14,9 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
-#include <map>
-#include <numbers>
+#include <memory>
 #include <utility>
 
 namespace umbrameter {
@@ -51,7 +53,7 @@ Scene make_bench_scene() {
 }
 
 struct Work {
-  Scene scene = make_bench_scene();
+  Scene scene;
   EmbreeScene embree;
   SampleSets sets{kPoints};
   struct Pixel {
@@ -61,13 +63,13 @@ struct Work {
   };
   std::vector<Pixel> pixels;
 
-  Work() {
+  explicit Work(Scene bench_scene) : scene(std::move(bench_scene)) {
     embree.load(scene);
     const PrimaryCamera camera(scene, kSide, kSide);
     for (int i = 0; i < kSide * kSide; ++i) {
       const auto hit = camera.hit(embree, i % kSide, i / kSide);
       if (!hit) continue;
-      const LightPatch patch = make_light_patch(scene.light(), hit->receiver, 20.0);
+      const LightPatch patch = make_light_patch(scene.light(), hit->receiver, scene.bounds_world.diagonal());
       if (is_below_horizon(patch)) continue;
       pixels.push_back({hit->receiver.ray_origin_world, patch, pixel_seed(1, static_cast<uint32_t>(i))});
     }
@@ -75,9 +77,9 @@ struct Work {
   int64_t ray_count() const { return static_cast<int64_t>(pixels.size()) * kReplicates * kPoints; }
 };
 
-Work& work() {
-  static Work instance;
-  return instance;
+std::unique_ptr<Work> g_work;  // set by main, before any benchmark
+const Work& work() {
+  return *g_work;
 }
 
 void report_rate(benchmark::State& state) {
@@ -99,12 +101,12 @@ void integrator(benchmark::State& state) {
 template <class Use>
 void for_each_batch(const Use& use) {
   for (const Work::Pixel& pixel : work().pixels) {
+    ShadowRayBatch batch(pixel.origin_world);
     for (uint32_t r = 0; r < kReplicates; ++r) {
       const SampleStream stream = work().sets.stream(pixel.seed, r);
       for (uint32_t first = 0; first < kPoints; first += kBatch) {
-        ShadowRayBatch batch;
-        make_shadow_rays(pixel.patch, stream, first, batch);
-        use(pixel.origin_world, batch);
+        make_shadow_rays(pixel.patch, stream, first, kPoints, batch);
+        use(batch);
       }
     }
   }
@@ -113,7 +115,7 @@ void for_each_batch(const Use& use) {
 /// The samples alone: what the integrator adds before Embree is called.
 void ray_making(benchmark::State& state) {
   for (auto _ : state) {
-    for_each_batch([](const glm::vec3&, const ShadowRayBatch& batch) { benchmark::DoNotOptimize(&batch); });
+    for_each_batch([](const ShadowRayBatch& batch) { benchmark::DoNotOptimize(&batch); });
   }
   report_rate(state);
 }
@@ -121,27 +123,19 @@ void ray_making(benchmark::State& state) {
 template <int Width>
 struct Recorded {
   typename ShadowPacket<Width>::Ray ray;
-  alignas(64) int32_t valid[Width];
-  float end[Width];
+  alignas(64) std::array<int32_t, Width> valid;
+  std::array<float, Width> end;
 };
 
 template <int Width>
 std::vector<Recorded<Width>> record() {
   std::vector<Recorded<Width>> packets;
-  for_each_batch([&](const glm::vec3& origin_world, const ShadowRayBatch& batch) {
+  for_each_batch([&](const ShadowRayBatch& batch) {
     for (uint32_t first = 0; first < kBatch; first += Width) {
       Recorded<Width>& packet = packets.emplace_back();
-      for (uint32_t i = 0; i < Width; ++i) {
-        packet.ray.org_x[i] = origin_world.x;
-        packet.ray.org_y[i] = origin_world.y;
-        packet.ray.org_z[i] = origin_world.z;
-        packet.ray.dir_x[i] = batch.direction_x[first + i];
-        packet.ray.dir_y[i] = batch.direction_y[first + i];
-        packet.ray.dir_z[i] = batch.direction_z[first + i];
-        packet.ray.mask[i] = ~0u;
-        packet.valid[i] = batch.is_facing[first + i];
-        packet.end[i] = batch.end[first + i];
-      }
+      packet.ray = slice<Width>(batch.rays, first);
+      std::copy_n(batch.is_facing.data() + first, Width, packet.valid.data());
+      std::copy_n(batch.rays.tfar + first, Width, packet.end.data());
     }
   });
   return packets;
@@ -155,8 +149,8 @@ void raw_packets(benchmark::State& state) {
   context.flags = static_cast<RTCIntersectContextFlags>(state.range(0));
   for (auto _ : state) {
     for (Recorded<Width>& packet : packets) {
-      std::copy_n(packet.end, Width, packet.ray.tfar);
-      ShadowPacket<Width>::occluded(packet.valid, work().embree.handle(), &context, &packet.ray);
+      std::copy_n(packet.end.data(), Width, packet.ray.tfar);
+      ShadowPacket<Width>::occluded(packet.valid.data(), work().embree.handle(), &context, &packet.ray);
     }
   }
   report_rate(state);
@@ -225,7 +219,10 @@ class BestRates final : public benchmark::ConsoleReporter {
 
 int main(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  umbrameter::SceneSearch search;
+  if (argc > 2) search.assets = argv[2];
+  umbrameter::g_work = std::make_unique<umbrameter::Work>(argc > 1 ? umbrameter::load_scene(argv[1], search)
+                                                                   : umbrameter::make_bench_scene());
   umbrameter::BestRates rates;
   benchmark::RunSpecifiedBenchmarks(&rates);
   rates.print_ratio();

@@ -25,16 +25,16 @@ void collect_crossing(const RTCFilterFunctionNArguments* arguments) {
   arguments->valid[0] = 0;
 }
 
-RTCRay ray_of_lane(const glm::vec3& origin_world, const ShadowRayBatch& batch, uint32_t lane) {
+RTCRay ray_of_lane(const RTCRay16& rays, uint32_t lane) {
   RTCRay ray{};
-  ray.org_x = origin_world.x;
-  ray.org_y = origin_world.y;
-  ray.org_z = origin_world.z;
-  ray.dir_x = batch.direction_x[lane];
-  ray.dir_y = batch.direction_y[lane];
-  ray.dir_z = batch.direction_z[lane];
-  ray.tfar = batch.end[lane];
-  ray.mask = ~0u;
+  ray.org_x = rays.org_x[lane];
+  ray.org_y = rays.org_y[lane];
+  ray.org_z = rays.org_z[lane];
+  ray.dir_x = rays.dir_x[lane];
+  ray.dir_y = rays.dir_y[lane];
+  ray.dir_z = rays.dir_z[lane];
+  ray.tfar = rays.tfar[lane];
+  ray.mask = rays.mask[lane];
   return ray;
 }
 
@@ -51,8 +51,9 @@ void merge_crossings(std::vector<float>& crossings) {
 
 BlockerStatistics probe_blockers(const EmbreeScene& embree, const glm::vec3& origin_world,
                                  const LightPatch& patch, const SampleSets& sets, uint32_t seed) {
-  ShadowRayBatch batch;
-  make_shadow_rays(patch, sets.stream(seed, kReplicates), 0, batch);
+  ShadowRayBatch batch(origin_world);
+  const uint32_t probes = std::min(kProbes, sets.points());
+  make_shadow_rays(patch, sets.stream(seed, kReplicates), 0, probes, batch);
   CollectingContext context;
   rtcInitIntersectContext(&context.embree);
   context.embree.filter = collect_crossing;
@@ -60,14 +61,14 @@ BlockerStatistics probe_blockers(const EmbreeScene& embree, const glm::vec3& ori
   BlockerStatistics sum;
   double nearest = std::numeric_limits<double>::infinity();
   int blocked = 0;
-  for (uint32_t i = 0; i < std::min(kProbes, sets.points()); ++i) {
+  for (uint32_t i = 0; i < probes; ++i) {
     if (batch.is_facing[i] == 0) continue;
-    RTCRay ray = ray_of_lane(origin_world, batch, i);
+    RTCRay ray = ray_of_lane(batch.rays, i);
     context.crossings.clear();
     rtcOccluded1(embree.handle(), &context.embree, &ray);
     merge_crossings(context.crossings);
     if (context.crossings.empty()) continue;
-    const double length = std::hypot(batch.direction_x[i], batch.direction_y[i], batch.direction_z[i]);
+    const double length = std::hypot(ray.dir_x, ray.dir_y, ray.dir_z);
     const double distance = static_cast<double>(context.crossings.front()) * length;
     nearest = std::min(nearest, distance);
     sum.distance_mean_world += distance;

@@ -2,8 +2,8 @@
 // What stands between a shadowed receiver and the light: distances and layers, from a few probe rays.
 
 #include "reference/embree_scene.h"
-#include "reference/light_patch.h"
 #include "reference/sample_sets.h"
+#include "reference/shadow_rays.h"
 
 namespace umbrameter {
 

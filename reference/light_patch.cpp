@@ -58,44 +58,6 @@ float greatest(const PatchForm& form, bool round) {
   return form.center + spread * 1.00001f;
 }
 
-/// sin and cos of (pi/4) t for t in [-1,1], Taylor to 2e-9 and 2e-8: below float rounding, and free of calls.
-float sin_quarter_pi(float t) {
-  constexpr float k = 0.785398163f;
-  const float x = k * t;
-  const float x2 = x * x;
-  return x * (1.0f + x2 * (-1.0f / 6 + x2 * (1.0f / 120 + x2 * (-1.0f / 5040 + x2 * (1.0f / 362880)))));
-}
-float cos_quarter_pi(float t) {
-  constexpr float k = 0.785398163f;
-  const float x = k * t;
-  const float x2 = x * x;
-  return 1.0f + x2 * (-0.5f + x2 * (1.0f / 24 + x2 * (-1.0f / 720 + x2 * (1.0f / 40320))));
-}
-
-using Lanes = std::array<float, kBatch>;
-
-/// The square [-1,1]^2 onto the unit disk, as core/sampling/patterns.h concentric_disk does it. Choices are
-/// products with 0 or 1 from a loop of their own, which compilers turn into vector code.
-void to_disk(Lanes& a, Lanes& b) {
-  constexpr float kTiny = 1e-30f;  // the centre must not divide by 0; lost in any other radius
-  Lanes a_wide;
-  for (uint32_t i = 0; i < kBatch; ++i) a_wide[i] = std::abs(a[i]) > std::abs(b[i]) ? 1.0f : 0.0f;
-  for (uint32_t i = 0; i < kBatch; ++i) {
-    const float b_wide = 1.0f - a_wide[i];
-    const float radius = a_wide[i] * a[i] + b_wide * b[i];
-    const float other = a_wide[i] * b[i] + b_wide * a[i];
-    const float t = other / (radius + kTiny);
-    const float along = radius * cos_quarter_pi(t);
-    const float across = radius * sin_quarter_pi(t);
-    a[i] = a_wide[i] * along + b_wide * across;
-    b[i] = a_wide[i] * across + b_wide * along;
-  }
-}
-
-float value_at(const PatchForm& form, float a, float b) {
-  return form.center + a * form.per_a + b * form.per_b;
-}
-
 }  // namespace
 
 LightPatch make_light_patch(const Light& light, const Receiver& receiver, double scene_extent_world) {
@@ -140,60 +102,6 @@ bool is_below_horizon(const LightPatch& patch) {
 
 bool is_unlit(const LightPatch& patch) {
   return patch.dark || greatest(patch.shading, patch.round) <= 0.0f;
-}
-
-// Cloned for wider registers, chosen when the program starts: 16 lanes are one AVX-512 register.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-__attribute__((target_clones("arch=skylake-avx512", "arch=haswell", "default")))
-#endif
-void make_shadow_rays(const LightPatch& patch, const SampleStream& stream, uint32_t first,
-                      ShadowRayBatch& batch) {
-  alignas(64) Lanes a;
-  alignas(64) Lanes b;
-  alignas(64) Lanes length2;
-  for (uint32_t i = 0; i < kBatch; ++i) {
-    a[i] = static_cast<float>(static_cast<int32_t>(stream.x[first + i] ^ stream.shift_x)) * 0x1p-31f;
-    b[i] = static_cast<float>(static_cast<int32_t>(stream.y[first + i] ^ stream.shift_y)) * 0x1p-31f;
-  }
-  if (patch.round) to_disk(a, b);
-  // Copies, so that stores to the batch cannot be taken for changes of the patch.
-  const PatchForm form_x = patch.direction_x, form_y = patch.direction_y, form_z = patch.direction_z;
-  const PatchForm above_surface = patch.above_surface, shading = patch.shading;
-  const float strength = patch.strength;
-  for (uint32_t i = 0; i < kBatch; ++i) {
-    const float x = value_at(form_x, a[i], b[i]);
-    const float y = value_at(form_y, a[i], b[i]);
-    const float z = value_at(form_z, a[i], b[i]);
-    batch.direction_x[i] = x;
-    batch.direction_y[i] = y;
-    batch.direction_z[i] = z;
-    length2[i] = x * x + y * y + z * z;
-    batch.is_facing[i] = value_at(above_surface, a[i], b[i]) > 0.0f ? -1 : 0;
-    batch.weight[i] = strength * std::max(0.0f, value_at(shading, a[i], b[i]));
-  }
-  if (patch.at_infinity) {
-    for (uint32_t i = 0; i < kBatch; ++i) {
-      batch.weight[i] /= std::sqrt(length2[i]);
-      batch.end[i] = std::numeric_limits<float>::infinity();
-    }
-    return;
-  }
-  const float end_fraction = patch.end_fraction;
-  for (uint32_t i = 0; i < kBatch; ++i) {
-    batch.weight[i] /= length2[i] * length2[i];
-    batch.end[i] = end_fraction;
-  }
-  if (patch.sphere_radius_world <= 0.0f) return;
-  // The ray origin + t D meets the sphere at t = (m - sqrt(m^2 - D.D (C.C - r^2))) / D.D with m = C.D, and
-  // C.D = C.C because the patch is at right angles to C. So t = q (1 - sqrt(1 - (1 - r^2/C.C) / q)), q =
-  // C.C/D.D.
-  const float center2 =
-      form_x.center * form_x.center + form_y.center * form_y.center + form_z.center * form_z.center;
-  const float outside = 1.0f - patch.sphere_radius_world * patch.sphere_radius_world / center2;
-  for (uint32_t i = 0; i < kBatch; ++i) {
-    const float q = center2 / length2[i];
-    batch.end[i] = end_fraction * q * (1.0f - std::sqrt(std::max(0.0f, 1.0f - outside / q)));
-  }
 }
 
 }  // namespace umbrameter

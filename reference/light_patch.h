@@ -18,6 +18,7 @@ struct PatchForm {
   float center = 0.0f;
   float per_a = 0.0f;
   float per_b = 0.0f;
+  float at(float a, float b) const { return center + a * per_a + b * per_b; }
 };
 
 /// Patch coordinates (a, b) lie in [-1,1]^2, or in the unit disk when `round`.
@@ -50,21 +51,5 @@ LightPatch make_light_patch(const Light& light, const Receiver& receiver, double
 bool is_below_horizon(const LightPatch& patch);
 /// True when no point of the light has a positive shading cosine.
 bool is_unlit(const LightPatch& patch);
-
-inline constexpr uint32_t kBatch = 16;
-
-/// Rays through kBatch samples. `direction` is not unit: the sample lies at 1, the ray ends at `end`.
-struct alignas(64) ShadowRayBatch {
-  std::array<float, kBatch> direction_x;
-  std::array<float, kBatch> direction_y;
-  std::array<float, kBatch> direction_z;
-  std::array<float, kBatch> end;
-  std::array<float, kBatch> weight;       // irradiance weight
-  std::array<int32_t, kBatch> is_facing;  // -1 above the receiver's geometric plane, else 0
-};
-
-/// Fills `batch` with samples first .. first + kBatch - 1 of `stream`.
-void make_shadow_rays(const LightPatch& patch, const SampleStream& stream, uint32_t first,
-                      ShadowRayBatch& batch);
 
 }  // namespace umbrameter

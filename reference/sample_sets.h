@@ -10,8 +10,8 @@
 
 namespace umbrameter {
 
-/// The first round of every set; later rounds double the points: [0,8), [8,16), [16,32), ...
-inline constexpr uint32_t kFirstRound = 8;
+/// The first round of every set; later rounds double the points: [0,16), [16,32), [32,64), ...
+inline constexpr uint32_t kFirstRound = 16;
 
 /// The part of a set that one replicate of one pixel uses.
 struct SampleStream {

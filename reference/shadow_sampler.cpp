@@ -4,95 +4,31 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace umbrameter {
 
 namespace {
 
-/// The lanes of a batch as packets; everything but direction and end stays from ray to ray.
+/// Traces the batch in packets of the device's own width.
 template <int Width>
-class Tracer {
- public:
-  Tracer(const EmbreeScene& embree, const glm::vec3& origin_world) : scene_(embree.handle()) {
-    rtcInitIntersectContext(&context_);
-    context_.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-    std::fill_n(ray_.org_x, Width, origin_world.x);
-    std::fill_n(ray_.org_y, Width, origin_world.y);
-    std::fill_n(ray_.org_z, Width, origin_world.z);
-    std::fill_n(ray_.tnear, Width, 0.0f);
-    std::fill_n(ray_.time, Width, 0.0f);
-    std::fill_n(ray_.mask, Width, ~0u);
-    std::fill_n(ray_.id, Width, 0u);
-    std::fill_n(ray_.flags, Width, 0u);
-  }
-
-  /// seen[i] = 1 where lane i is facing and nothing is in its way.
-  void trace(const ShadowRayBatch& batch, std::array<float, kBatch>& seen) {
-    for (uint32_t first = 0; first < kBatch; first += Width) {
-      std::memcpy(ray_.dir_x, &batch.direction_x[first], sizeof ray_.dir_x);
-      std::memcpy(ray_.dir_y, &batch.direction_y[first], sizeof ray_.dir_y);
-      std::memcpy(ray_.dir_z, &batch.direction_z[first], sizeof ray_.dir_z);
-      std::memcpy(ray_.tfar, &batch.end[first], sizeof ray_.tfar);
-      const int32_t* valid = &batch.is_facing[first];
-      if (std::none_of(valid, valid + Width, [](int32_t v) { return v != 0; })) {
-        std::fill_n(&seen[first], Width, 0.0f);
-        continue;
-      }
-      ShadowPacket<Width>::occluded(valid, scene_, &context_, &ray_);
-      for (int i = 0; i < Width; ++i) {
-        // An occluded ray's tfar is -infinity.
-        seen[first + static_cast<uint32_t>(i)] = valid[i] != 0 && ray_.tfar[i] >= 0.0f ? 1.0f : 0.0f;
-      }
-    }
-  }
-
- private:
-  RTCScene scene_;
-  RTCIntersectContext context_;
-  typename ShadowPacket<Width>::Ray ray_;
-};
-
-/// Lanes past the end of the set neither see nor weigh.
-void cut_batch(ShadowRayBatch& batch, uint32_t lanes) {
-  for (uint32_t i = lanes; i < kBatch; ++i) {
-    batch.is_facing[i] = 0;
-    batch.weight[i] = 0.0f;
+void trace_in_packets(RTCScene scene, RTCIntersectContext& context, ShadowRayBatch& batch) {
+  for (uint32_t first = 0; first < kBatch; first += Width) {
+    typename ShadowPacket<Width>::Ray part = slice<Width>(batch.rays, first);
+    ShadowPacket<Width>::occluded(&batch.is_facing[first], scene, &context, &part);
+    std::copy_n(part.tfar, Width, batch.rays.tfar + first);
   }
 }
 
-template <int Width>
-void extend_replicate(Tracer<Width>& tracer, const LightPatch& patch, const SampleStream& stream,
-                      uint32_t begin, uint32_t end, ReplicateSums& sums) {
-  ShadowRayBatch batch;
-  alignas(64) std::array<float, kBatch> seen;
-  // Lanes are summed apart in float: counts stay exact and weights lose less than 1e-6 over the lanes' share.
-  alignas(64) std::array<float, kBatch> lane_seen{};
-  alignas(64) std::array<float, kBatch> lane_weight{};
-  alignas(64) std::array<float, kBatch> lane_weight_seen{};
-  for (uint32_t first = begin; first < end; first += kBatch) {
-    make_shadow_rays(patch, stream, first, batch);
-    if (end - first < kBatch) cut_batch(batch, end - first);
-    tracer.trace(batch, seen);
-    for (uint32_t i = 0; i < kBatch; ++i) {
-      lane_seen[i] += seen[i];
-      lane_weight[i] += batch.weight[i];
-      lane_weight_seen[i] += batch.weight[i] * seen[i];
-    }
-  }
-  for (uint32_t i = 0; i < kBatch; ++i) {
-    sums.seen += static_cast<uint32_t>(lane_seen[i]);
-    sums.weight += static_cast<double>(lane_weight[i]);
-    sums.weight_seen += static_cast<double>(lane_weight_seen[i]);
-  }
-}
-
-template <int Width>
-void extend_pixel(const EmbreeScene& embree, const glm::vec3& origin_world, const LightPatch& patch,
-                  const SampleSets& sets, uint32_t seed, uint32_t points, PixelSums& sums) {
-  Tracer<Width> tracer(embree, origin_world);
-  for (uint32_t r = 0; r < kReplicates; ++r) {
-    extend_replicate(tracer, patch, sets.stream(seed, r), sums.points, points, sums.replicates[r]);
+void trace(const EmbreeScene& embree, RTCIntersectContext& context, ShadowRayBatch& batch) {
+  switch (embree.packet_width()) {
+    case 16:
+      rtcOccluded16(batch.is_facing.data(), embree.handle(), &context, &batch.rays);
+      break;
+    case 8:
+      trace_in_packets<8>(embree.handle(), context, batch);
+      break;
+    default:
+      trace_in_packets<4>(embree.handle(), context, batch);
   }
 }
 
@@ -100,15 +36,20 @@ void extend_pixel(const EmbreeScene& embree, const glm::vec3& origin_world, cons
 
 void sample_pixel(const EmbreeScene& embree, const glm::vec3& origin_world, const LightPatch& patch,
                   const SampleSets& sets, uint32_t seed, uint32_t points, PixelSums& sums) {
-  switch (embree.packet_width()) {
-    case 16:
-      extend_pixel<16>(embree, origin_world, patch, sets, seed, points, sums);
-      break;
-    case 8:
-      extend_pixel<8>(embree, origin_world, patch, sets, seed, points, sums);
-      break;
-    default:
-      extend_pixel<4>(embree, origin_world, patch, sets, seed, points, sums);
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  // The rays of a batch share their origin and lie close together on the light.
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  ShadowRayBatch batch(origin_world);
+  for (uint32_t r = 0; r < kReplicates; ++r) {
+    const SampleStream stream = sets.stream(seed, r);
+    LaneSums lanes;
+    for (uint32_t first = sums.points; first < points; first += kBatch) {
+      make_shadow_rays(patch, stream, first, points, batch);
+      if (batch.any_facing) trace(embree, context, batch);
+      add_rays(batch, lanes);
+    }
+    add_lanes(lanes, sums.replicates[r]);
   }
   sums.points = points;
 }

@@ -2,21 +2,14 @@
 // Shadow rays of one pixel: tracing them in packets, and what their sums say.
 
 #include "reference/embree_scene.h"
-#include "reference/light_patch.h"
 #include "reference/reference.h"
 #include "reference/sample_sets.h"
+#include "reference/shadow_rays.h"
 
 #include <array>
 #include <cstdint>
 
 namespace umbrameter {
-
-/// Sums over the samples of one replicate.
-struct ReplicateSums {
-  uint32_t seen = 0;
-  double weight = 0.0;
-  double weight_seen = 0.0;
-};
 
 /// All replicates of one pixel, each with `points` samples so far.
 struct PixelSums {

@@ -113,8 +113,8 @@ TEST(Honesty, target_is_met_with_fewer_samples_where_light_is_plain) {
   const auto se = frame.image.plane("visibility_se");
   const auto count = frame.image.plane("sample_count");
   EXPECT_LE(*std::ranges::max_element(se), static_cast<float>(target));
-  EXPECT_EQ(*std::ranges::min_element(count), 64.0f);  // the least that is ever believed
-  EXPECT_GT(*std::ranges::max_element(count), 64.0f);
+  EXPECT_EQ(*std::ranges::min_element(count), 128.0f);  // the least that is ever believed
+  EXPECT_GT(*std::ranges::max_element(count), 128.0f);
   EXPECT_LT(*std::ranges::max_element(count), 4096.0f);
   // Stopping on a lucky small error bar would make the true error exceed the target.
   EXPECT_LT(compare(frame, kRamp).rmse, target);

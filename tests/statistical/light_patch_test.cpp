@@ -1,6 +1,6 @@
 // The fast many-ray sampler must be the light of scenes/light.h, sample by sample.
 
-#include "reference/light_patch.h"
+#include "reference/shadow_rays.h"
 #include "tests/support/procedural_scene.h"
 
 #include <gtest/gtest.h>
@@ -29,19 +29,19 @@ void expect_same_samples(const Light& light, const Receiver& receiver) {
   const LightPatch patch = make_light_patch(light, receiver, 1.0);
   ASSERT_FALSE(patch.dark);
   for (uint32_t first = 0; first < 64; first += kBatch) {
-    ShadowRayBatch batch;
-    make_shadow_rays(patch, stream, first, batch);
+    ShadowRayBatch batch(receiver.ray_origin_world);
+    make_shadow_rays(patch, stream, first, 64, batch);
     for (uint32_t i = 0; i < kBatch; ++i) {
       const LightSample expected =
           sample_light(light, receiver.p_world, receiver.n_shading_world, uv_of(stream, first + i));
-      const glm::dvec3 d{batch.direction_x[i], batch.direction_y[i], batch.direction_z[i]};
+      const glm::dvec3 d{batch.rays.dir_x[i], batch.rays.dir_y[i], batch.rays.dir_z[i]};
       const double length = glm::length(d);
       // Float coordinates of a light a few units away: a few 1e-7.
       ASSERT_LT(glm::distance(d / length, expected.to_light_world), 2e-6);
       if (std::isfinite(expected.distance_world)) {
-        ASSERT_NEAR(batch.end[i] * length / expected.distance_world, 1.0, 1e-4);
+        ASSERT_NEAR(batch.rays.tfar[i] * length / expected.distance_world, 1.0, 1e-4);
       } else {
-        ASSERT_EQ(batch.end[i], std::numeric_limits<float>::infinity());
+        ASSERT_EQ(batch.rays.tfar[i], std::numeric_limits<float>::infinity());
       }
       ASSERT_NEAR(batch.weight[i], expected.irradiance_weight, 2e-6);
       const double height = glm::dot(expected.to_light_world, receiver.n_geometric_world);
