@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <string_view>
 
 namespace umbrameter {
 namespace {
@@ -48,10 +49,15 @@ double share_apart(const Image& image, const Image& golden, double step) {
   return static_cast<double>(apart) / static_cast<double>(a.size());
 }
 
+bool is_update_asked_for() {
+  const char* value = std::getenv("UMBRAMETER_UPDATE_GOLDEN");
+  return value != nullptr && std::string_view(value) == "1";
+}
+
 /// Leaves the picture beside the test binary when it differs, for looking at both.
 void expect_golden(const Image& image, const std::string& name, const Tolerance& tolerance) {
   const fs::path file = kRoot / "tests/golden/images" / (name + ".exr");
-  if (std::getenv("UMBRAMETER_UPDATE_GOLDEN") != nullptr) write_exr(file, image);
+  if (is_update_asked_for()) write_exr(file, image);
   const Image golden = read_image(file);
   require_same_size(image, golden, name);
   const double share = share_apart(image, golden, tolerance.step);

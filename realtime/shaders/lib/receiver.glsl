@@ -39,6 +39,10 @@ Receiver make_receiver(LightViewData view, vec3 p_world, vec3 n_world, Bias bias
   return receiver;
 }
 
+// A plane seen nearly edge-on meets the next texel's ray far in front of every blocker: followed without limit it
+// lets light through walls. Planes up to 87 degrees are still exact.
+const float kMaxPlaneSlope = 20.0;  // const: tangent of the incidence angle, the best of 5, 10, 20, none on 7 scenes
+
 /// Distance at which the light's ray through `lateral` meets the receiver's tangent plane; never beyond the
 /// receiver itself, because a blocker is always nearer to the light than what it shadows. Exact for planes:
 /// perspective z = n.p / n.(l, 1), orthographic z = (n.p - n.(l, 0)) / n.z (Dou et al. 2014; TECHNIQUES 2.1, B6).
@@ -49,7 +53,9 @@ float plane_distance_at(LightViewData view, Receiver receiver, vec2 lateral) {
   float denominator = n.z + (ortho ? 0.0 : dot(n.xy, lateral));
   float z = denominator == 0.0 ? -1.0 : numerator / denominator;
   bool meets = ortho ? denominator != 0.0 : z > 0.0;
-  return meets ? min(z, receiver.p_light.z) : receiver.p_light.z;
+  if (!meets) return receiver.p_light.z;
+  float aside_world = distance(lateral, receiver.lateral) * (ortho ? 1.0 : receiver.p_light.z);
+  return clamp(z, receiver.p_light.z - kMaxPlaneSlope * aside_world, receiver.p_light.z);
 }
 
 /// What the stored distance at `lateral` must reach for the receiver to be lit.
@@ -69,4 +75,11 @@ vec3 to_viewpoint(LightViewData view, Receiver receiver) {
 /// Whether the receiver lies behind a perspective view, outside any map.
 bool is_behind(LightViewData view, Receiver receiver) {
   return !is_orthographic(view) && receiver.p_light.z <= 0.0;
+}
+
+/// The answers that need no map: 0 on surfaces turned away from the viewpoint, 1 behind the view.
+bool is_known(LightViewData view, Receiver receiver, out float visibility) {
+  bool is_turned_away = !faces(receiver, to_viewpoint(view, receiver));
+  visibility = is_turned_away ? 0.0 : 1.0;
+  return is_turned_away || is_behind(view, receiver);
 }
