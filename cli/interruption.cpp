@@ -4,8 +4,8 @@
 
 #include <chrono>
 #include <csignal>
+#include <map>
 #include <mutex>
-#include <set>
 #include <thread>
 
 #include <unistd.h>
@@ -15,7 +15,7 @@ namespace {
 
 struct Registry {
   std::mutex mutex;
-  std::set<std::filesystem::path> folders;
+  std::map<std::filesystem::path, TemporaryPlace> places;
 };
 
 /// Never destroyed: the signal thread may still look at it while the process ends.
@@ -25,12 +25,12 @@ Registry& registry() {
 }
 
 /// Another thread may be writing into the folder, so once may not be enough.
-void remove_for_good(const std::filesystem::path& folder) {
+void remove_for_good(const TemporaryPlace& place) {
   constexpr int kTries = 50;
   std::error_code ignored;
   for (int i = 0; i < kTries; ++i) {
-    std::filesystem::remove_all(folder, ignored);
-    if (!std::filesystem::exists(folder, ignored)) return;
+    remove_place(place);
+    if (!std::filesystem::exists(place.folder, ignored)) return;
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
 }
@@ -39,7 +39,7 @@ void remove_for_good(const std::filesystem::path& folder) {
   int signal = 0;
   while (sigwait(&signals, &signal) != 0) continue;
   registry().mutex.lock();  // kept: nobody may register anything from here on
-  for (const auto& folder : registry().folders) remove_for_good(folder);
+  for (const auto& [folder, place] : registry().places) remove_for_good(place);
   print_note("interrupted; nothing was written");
   _exit(128 + signal);
 }
@@ -61,14 +61,20 @@ void install_interruption_handler() {
   std::thread(wait_for_signal, signals).detach();
 }
 
-RemovedOnInterruption::RemovedOnInterruption(std::filesystem::path folder) : folder_(std::move(folder)) {
+void remove_place(const TemporaryPlace& place) {
+  std::error_code ignored;
+  std::filesystem::remove_all(place.folder, ignored);
+  for (const auto& parent : place.made_parents) std::filesystem::remove(parent, ignored);  // only when empty
+}
+
+RemovedOnInterruption::RemovedOnInterruption(const TemporaryPlace& place) : folder_(place.folder) {
   const std::lock_guard lock(registry().mutex);
-  registry().folders.insert(folder_);
+  registry().places[folder_] = place;
 }
 
 RemovedOnInterruption::~RemovedOnInterruption() {
   const std::lock_guard lock(registry().mutex);
-  registry().folders.erase(folder_);
+  registry().places.erase(folder_);
 }
 
 }  // namespace umbrameter

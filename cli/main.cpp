@@ -1,6 +1,7 @@
 #include "cli/console.h"
 #include "cli/interruption.h"
 #include "cli/verbs.h"
+#include "core/names.h"
 #include "umbrameter_version.h"
 
 #include <fmt/format.h>
@@ -19,6 +20,19 @@ void add_global_options(CLI::App& app, GlobalOptions& options) {
       ->check(CLI::Range(0, 4096))
       ->capture_default_str();
   app.add_flag("--json", options.json, "print one JSON object and nothing else");
+}
+
+/// CLI11 only says that a command is missing; this names the one that it did not know.
+std::string usage_problem(const CLI::App& app, const CLI::ParseError& error) {
+  const CLI::App* verb = &app;
+  while (!verb->get_subcommands().empty()) verb = verb->get_subcommands().front();
+  std::vector<std::string> known;
+  for (const CLI::App* choice : verb->get_subcommands([](const CLI::App*) { return true; })) {
+    known.push_back(choice->get_name());
+  }
+  const std::vector<std::string> unknown = app.remaining(true);
+  if (known.empty() || unknown.empty() || unknown.front().starts_with('-')) return error.what();
+  return fmt::format("unknown command '{}' ({})", unknown.front(), suggest_name(unknown.front(), known));
 }
 
 int run(int argc, char** argv) {
@@ -43,7 +57,7 @@ int run(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-    print_error(fmt::format("{} (see umbrameter --help)", error.what()));
+    print_error(fmt::format("{} (see umbrameter --help)", usage_problem(app, error)));
     return kExitBadInput;
   }
   return line.verb();

@@ -23,20 +23,27 @@ std::filesystem::path folder_of(const std::filesystem::path& file) {
   return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
 }
 
+/// A folder of this process in `parent`, and those of its parents that do not exist yet.
+TemporaryPlace hidden_place(const std::filesystem::path& parent) {
+  TemporaryPlace place{parent / fmt::format(".umbrameter-{}", getpid()), {}};
+  for (auto missing = parent; !missing.empty() && !std::filesystem::exists(missing);
+       missing = missing.parent_path()) {
+    place.made_parents.push_back(missing);
+  }
+  return place;
+}
+
 }  // namespace
 
-Staging::Staging(const std::filesystem::path& parent)
-    : parent_(parent),
-      parent_is_ours_(!std::filesystem::exists(parent)),
-      folder_(parent / fmt::format(".umbrameter-{}", getpid())) {
-  registration_.emplace(folder_);
-  create_folder(folder_);
+Staging::Staging(TemporaryPlace place) : place_(std::move(place)), registration_(place_) {}
+
+// Delegates, so that the destructor runs when the folder cannot be made.
+Staging::Staging(const std::filesystem::path& parent) : Staging(hidden_place(parent)) {
+  create_folder(place_.folder);
 }
 
 Staging::~Staging() {
-  std::error_code ignored;
-  std::filesystem::remove_all(folder_, ignored);
-  if (parent_is_ours_) std::filesystem::remove(parent_, ignored);  // only when empty
+  remove_place(place_);
 }
 
 StagedFile::StagedFile(std::filesystem::path target, const std::string& extension)

@@ -4,12 +4,12 @@
 #include "cli/interruption.h"
 
 #include <filesystem>
-#include <optional>
+#include <string>
 
 namespace umbrameter {
 
-/// A hidden folder in `parent` (made when missing). What is left of it goes when this does, and so does a
-/// `parent` that was made for it and is empty. Error{input} when the place cannot be written, which is found
+/// A hidden folder in `parent` (made when missing). What is left of it goes when this does, and so do parents
+/// that were made for it and are empty. Error{input} when the place cannot be written, which is found
 /// before any work is done.
 class Staging {
  public:
@@ -18,13 +18,13 @@ class Staging {
   Staging(const Staging&) = delete;
   Staging& operator=(const Staging&) = delete;
 
-  const std::filesystem::path& folder() const { return folder_; }
+  const std::filesystem::path& folder() const { return place_.folder; }
 
  private:
-  std::filesystem::path parent_;
-  bool parent_is_ours_ = false;
-  std::filesystem::path folder_;
-  std::optional<RemovedOnInterruption> registration_;
+  explicit Staging(TemporaryPlace place);
+
+  TemporaryPlace place_;
+  RemovedOnInterruption registration_;
 };
 
 /// One image file to be written: checks name and place at once. Write to `staged()`, then `publish()`.

@@ -21,8 +21,8 @@ std::string format_interval(const std::optional<Interval>& interval) {
 
 std::string format_time(const std::optional<PassTime>& time) {
   if (!time) return kNotApplicable;
-  return fmt::format("{:.3f} ± {:.3f} ms ({} frame{})", time->median_ms, time->mad_ms, time->frames,
-                     time->frames == 1 ? "" : "s");
+  if (time->frames == 1) return fmt::format("{:.4g} ms (1 frame)", time->median_ms);
+  return fmt::format("{:.4g} ± {:.2g} ms ({} frames)", time->median_ms, time->mad_ms, time->frames);
 }
 
 std::string format_bytes(uint64_t bytes) {

@@ -16,7 +16,7 @@ std::string format_error(const std::optional<double>& value);
 std::string format_signed_error(const std::optional<double>& value);
 /// "0.01234 [0.01200, 0.01270]".
 std::string format_interval(const std::optional<Interval>& interval);
-/// "1.234 ± 0.012 ms (9 frames)", three significant digits or more; "n/a" when not timed.
+/// "1.234 ± 0.012 ms (9 frames)"; one frame has no spread: "1.234 ms (1 frame)"; "n/a" when not timed.
 std::string format_time(const std::optional<PassTime>& time);
 /// "16.0 MiB".
 std::string format_bytes(uint64_t bytes);

@@ -16,19 +16,18 @@
 namespace umbrameter {
 namespace {
 
-/// Puts "plate (2 of 13), " in front of every task.
-class PrefixedProgress final : public Progress {
+/// Gives tasks longer names: "pcss" becomes "plate (2 of 13), pcss:taps=64".
+class RenamedProgress final : public Progress {
  public:
-  PrefixedProgress(Progress& inner, std::string prefix) : inner_(inner), prefix_(std::move(prefix)) {}
-  void begin(std::string_view task, uint64_t steps) override {
-    inner_.begin(prefix_ + std::string(task), steps);
-  }
+  using Rename = std::function<std::string(std::string_view)>;
+  RenamedProgress(Progress& inner, Rename rename) : inner_(inner), rename_(std::move(rename)) {}
+  void begin(std::string_view task, uint64_t steps) override { inner_.begin(rename_(task), steps); }
   void advance(uint64_t steps) override { inner_.advance(steps); }
   void end() override { inner_.end(); }
 
  private:
   Progress& inner_;
-  std::string prefix_;
+  Rename rename_;
 };
 
 struct SceneContext {
@@ -91,7 +90,7 @@ TechniqueFrame render_technique(const SceneContext& context, const TechniqueRun&
   request.parameters = run.parameters;
   result.failure = guarded([&] {
     const TimingPlan timing{context.plan.timed_frames, context.plan.timing_budget_s};
-    PrefixedProgress progress(context.progress, run.label + ": ");
+    RenamedProgress progress(context.progress, [&](std::string_view) { return run.label; });
     out.frame = render_timed(context.renderers.realtime, context.job.scene, request, timing, progress);
   });
   if (result.failure) return out;
@@ -231,9 +230,10 @@ Results run_validation(std::span<const SceneJob> scenes, const ValidationPlan& p
   results.samples_per_pixel = plan.samples_per_pixel;
   results.target_se = plan.target_se;
   for (const SceneJob& job : scenes) {
-    PrefixedProgress prefixed(
-        progress, fmt::format("{} ({} of {}), ", job.name, results.scenes.size() + 1, scenes.size()));
-    results.scenes.push_back(validate_scene({job, plan, renderers, folder, prefixed}, results.skipped));
+    const std::string prefix =
+        fmt::format("{} ({} of {}), ", job.name, results.scenes.size() + 1, scenes.size());
+    RenamedProgress renamed(progress, [&](std::string_view task) { return prefix + std::string(task); });
+    results.scenes.push_back(validate_scene({job, plan, renderers, folder, renamed}, results.skipped));
     if (scene_done) scene_done(results.scenes.back());
   }
   return results;

@@ -31,7 +31,7 @@ class BadInput : public CliTest {
 
 TEST_F(BadInput, UsageErrorsNameTheArgument) {
   expect_bad_input(umbrameter({}), "subcommand is required");
-  expect_bad_input(umbrameter({"validat"}), "validat");
+  expect_bad_input(umbrameter({"validat"}), "unknown command 'validat' (did you mean 'validate'?)");
   expect_bad_input(umbrameter({"validate", "--qualty", "quick"}), "--qualty");
   expect_bad_input(umbrameter({"validate", "--width", "many"}), "--width");
   expect_bad_input(umbrameter({"render", "plate"}), "--technique is required");
@@ -83,7 +83,8 @@ TEST_F(BadInput, MissingFiles) {
 
 TEST_F(BadInput, SceneFilesAreCheckedKeyByKey) {
   write_scene("scene.toml", "scael = 2\n");
-  expect_rejected("scene.toml", "scene.toml:17:1: ");
+  expect_rejected("scene.toml",
+                  "scene.toml:17:9: [[mesh]] has an unknown key 'scael' (did you mean 'scale'?)");
   write_scene("scene.toml", "scale = \"big\"\n");
   expect_rejected("scene.toml", "scene.toml:17:9: ");
   write_scene("scene.toml", "scale = nan\n");
@@ -123,7 +124,7 @@ TEST_F(BadInput, MeshesAreCheckedLineByLine) {
 TEST_F(BadInput, TruncatedZstdIsFound) {
   write("mesh.obj.zst", std::string_view("\x28\xb5\x2f\xfd\x04\x00\x11", 7));
   write_scene("scene.toml", "[[mesh]]\nfile = \"mesh.obj.zst\"\n");
-  expect_rejected("scene.toml", "mesh.obj.zst: the zstd data is ");
+  expect_rejected("scene.toml", "mesh.obj.zst: the zstd data ");
 }
 
 TEST_F(BadInput, TruncatedImagesAreFound) {

@@ -3,9 +3,12 @@
 
 #include "tests/cli/cli_fixture.h"
 
+#include "core/files.h"
+
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <csignal>
 
 namespace umbrameter {
@@ -96,7 +99,7 @@ TEST_F(Commands, AnInstallationWithoutScenesIsAnEnvironmentError) {
 
 TEST_F(Commands, InterruptionLeavesNothing) {
   const ProcessResult result =
-      umbrameter({"reference", "colonnade", "--quality", "full", "-o", "made/ref.exr"},
+      umbrameter({"reference", "colonnade", "--quality", "full", "-o", "made/for/ref.exr"},
                  {.timeout_s = 60, .signal = SIGINT, .signal_after_ms = 1500});
   EXPECT_EQ(result.exit_code, 130) << result.err;
   EXPECT_THAT(result.err, HasSubstr("interrupted"));
@@ -137,14 +140,19 @@ TEST_F(GlCommands, AShaderThatDoesNotCompileIsNamedWithItsLineAndNothingIsWritte
   const std::filesystem::path source =
       std::filesystem::path(UMBRAMETER_SOURCE_DIR) / "realtime/techniques/hard";
   std::filesystem::copy(source, folder() / "mine");
-  write("mine/hard.frag", "void main() {\n  out_visibility = 1.0;\n  int broken = ;\n}\n");
+  std::string text = read_file(source / "hard.frag");
+  const size_t body = text.find("void main() {");
+  ASSERT_NE(body, std::string::npos);
+  text.insert(body, "int broken = ;\n");
+  write("mine/hard.frag", text);
+  const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(body), '\n');
   for (const std::vector<std::string>& arguments :
        {std::vector<std::string>{"techniques", "check", "./mine"},
         with_tiny({"render", "plate", "--technique", "./mine"}),
         with_tiny({"validate", "plate", "--technique", "./mine"})}) {
     const ProcessResult result = umbrameter(arguments);
     EXPECT_EQ(result.exit_code, 2) << result.err;
-    EXPECT_THAT(result.err, HasSubstr("mine/hard.frag:3"));
+    EXPECT_THAT(result.err, HasSubstr("mine/hard.frag:" + std::to_string(line)));
     EXPECT_THAT(files(), ElementsAre("mine"));
   }
 }

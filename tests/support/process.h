@@ -15,10 +15,10 @@ struct ProcessResult {
 };
 
 struct ProcessOptions {
-  std::filesystem::path working_folder;                          // empty = this process's
-  std::vector<std::pair<std::string, std::string>> environment;  // added to this process's; "" unsets
-  int timeout_s = 120;                                           // then SIGKILL
-  int signal = 0;                                                // sent after signal_after_ms
+  std::filesystem::path working_folder{};                          // empty = this process's
+  std::vector<std::pair<std::string, std::string>> environment{};  // added to this process's; "" unsets
+  int timeout_s = 120;                                             // then SIGKILL
+  int signal = 0;                                                  // sent after signal_after_ms
   int signal_after_ms = 0;
 };
 

@@ -89,6 +89,10 @@ TEST_F(ReportBrowser, ShowsTheNumbersOfResultsJsonAndLogsNoError) {
   }
 }
 
+TEST_F(ReportBrowser, WouldNoticeAScriptThatFails) {
+  EXPECT_THAT(open_page("throw new Error('on purpose');").err, HasSubstr("CONSOLE"));
+}
+
 TEST_F(ReportBrowser, SortsByAColumnWithAbsentValuesLast) {
   const std::string click = "document.querySelectorAll('#results thead button')[2].click();";
   const std::string ascending = open_page(click).out;

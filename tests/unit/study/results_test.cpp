@@ -60,8 +60,9 @@ TEST(Results, AnythingElseIsOneSentence) {
 TEST(Results, OfAWrongTypeAreBadInputAndNothingWorse) {
   const TemporaryFolder folder;
   const auto json = nlohmann::json::parse(to_json_text(fake_results(folder.path())));
+  const auto leaves = json.flatten();
   size_t rejected = 0;
-  for (const auto& [path, leaf] : json.flatten().items()) {
+  for (const auto& [path, leaf] : leaves.items()) {
     auto broken = json;
     broken[nlohmann::json::json_pointer(path)] = {{"an", "object"}};
     try {
@@ -97,7 +98,11 @@ TEST(Format, SaysWhenThereIsNothing) {
   EXPECT_EQ(format_error(std::nullopt), "n/a");
   EXPECT_EQ(format_interval(std::nullopt), "n/a");
   EXPECT_EQ(format_time(std::nullopt), "n/a");
-  EXPECT_EQ(format_time(PassTime{"total", 1.25, 0.5, 1}), "1.250 ± 0.500 ms (1 frame)");
+}
+
+TEST(Format, GivesASpreadOnlyToSeveralFrames) {
+  EXPECT_EQ(format_time(PassTime{"total", 12.3456, 0.512, 9}), "12.35 ± 0.51 ms (9 frames)");
+  EXPECT_EQ(format_time(PassTime{"total", 1.25, 0.0, 1}), "1.25 ms (1 frame)");
 }
 
 }  // namespace
