@@ -52,11 +52,14 @@ void add_parameter_groups(Manifest& manifest, TomlReader& reader,
       reader.fail("parameter_groups", fmt::format("unknown parameter group '{}'", group),
                   suggest_name(group, known));
     }
+    if (std::ranges::find(manifest.files, file) != manifest.files.end())
+      reader.fail("parameter_groups", fmt::format("parameter group '{}' comes in a second time", group));
+    manifest.files.push_back(file);
     const TomlNode document = parse_toml_file(file);
     TomlReader group_reader(document, "the parameter group");
+    add_parameter_groups(manifest, group_reader, shared_folder);  // a group may begin with others
     add_parameters(manifest.technique, group_reader);
     group_reader.finish();
-    manifest.files.push_back(file);
   }
 }
 

@@ -23,9 +23,28 @@ bool is_blocked(sampler2D map, LightViewData view, Receiver receiver, ivec2 texe
 
 ivec2 texel_at(LightViewData view, vec2 lateral) { return ivec2(floor(texel_position(view, lateral))); }
 
+/// The comparisons of the four texels around `p_texels`, weighted as bilinear filtering weighs them: compared first,
+/// each at its own texel's centre, then blended.
+float bilinear_lit(sampler2D map, LightViewData view, Receiver receiver, vec2 p_texels) {
+  vec2 low = floor(p_texels - 0.5);
+  vec2 share = p_texels - 0.5 - low;
+  vec4 lit = vec4(1.0);
+  for (int i = 0; i < 4; ++i) {  // const: the corners of a square
+    if (is_blocked(map, view, receiver, ivec2(low) + ivec2(i & 1, i >> 1))) lit[i] = 0.0;
+  }
+  vec2 rows = mix(lit.xz, lit.yw, share.x);
+  return mix(rows.x, rows.y, share.y);
+}
+
+/// A tap at a place between texels: the comparison of the texel it lies in, or the bilinear blend.
+float lit_at(sampler2D map, LightViewData view, Receiver receiver, vec2 p_texels, bool is_bilinear) {
+  if (is_bilinear) return bilinear_lit(map, view, receiver, p_texels);
+  return is_blocked(map, view, receiver, ivec2(floor(p_texels))) ? 0.0 : 1.0;
+}
+
 /// One comparison from the view's viewpoint: 0 behind the surface and where something is nearer.
 float hard_visibility(sampler2D map, LightViewData view, Receiver receiver) {
-  if (!faces(receiver, to_viewpoint(view, receiver))) return 0.0;
-  if (is_behind(view, receiver)) return 1.0;
+  float known;
+  if (is_known(view, receiver, known)) return known;
   return is_blocked(map, view, receiver, texel_at(view, receiver.lateral)) ? 0.0 : 1.0;
 }

@@ -1,6 +1,7 @@
 // Percentage-closer filtering (Reeves, Salesin and Cook 1987) with a box of real-valued width: texels at the
 // border count by the part of them that the box covers.
 #include "box_filter.glsl"
+#include "pixel.glsl"
 #include "shadow_map.glsl"
 
 float box_mean(Receiver receiver, float width_texels) {
@@ -21,16 +22,12 @@ float box_mean(Receiver receiver, float width_texels) {
 }
 
 float visibility_of(Receiver receiver) {
-  if (!faces(receiver, to_viewpoint(view_light, receiver))) return 0.0;
-  if (is_behind(view_light, receiver)) return 1.0;
+  float known;
+  if (is_known(view_light, receiver, known)) return known;
   return box_mean(receiver, filter_width_texels);
 }
 
 void main() {
-  ivec2 px = ivec2(gl_FragCoord.xy);
-  vec4 position = texelFetch(gbuffer_position, px, 0);
-  vec3 n_world = texelFetch(gbuffer_normal, px, 0).xyz;
-  Bias bias = Bias(bias_world, bias_texels, normal_offset_texels, RECEIVER_PLANE != 0);
-  bool is_background = position.w == 0.0;
-  out_visibility = is_background ? 1.0 : visibility_of(make_receiver(view_light, position.xyz, n_world, bias));
+  Receiver receiver;
+  out_visibility = fetch_receiver(receiver) ? visibility_of(receiver) : 1.0;
 }

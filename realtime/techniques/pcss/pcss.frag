@@ -1,6 +1,7 @@
 // Percentage-closer soft shadows (Fernando 2005) with kernels shaped like the light: search for blockers, place a
 // plane at their mean distance, and ask the map along the rays from the receiver through that plane to the light.
 #include "area_light.glsl"
+#include "pixel.glsl"
 #include "shadow_map.glsl"
 
 /// Blockers anywhere between the view's near plane and the receiver lie on its rays through the near plane.
@@ -46,7 +47,7 @@ float visible_share(AreaLight light, Receiver receiver, float z_blocker, vec2 no
 
 vec2 pixel_noise() {
   if (NOISE == 0) return vec2(0.0);
-  vec2 p_px = seeded_position(pixel_position(gl_FragCoord.xy, float(frame.screen_and_seed.y)), frame.screen_and_seed.z);
+  vec2 p_px = noise_position();
   return vec2(interleaved_gradient_noise(p_px), interleaved_gradient_noise(p_px.yx));
 }
 
@@ -59,10 +60,6 @@ float visibility_of(Receiver receiver) {
 }
 
 void main() {
-  ivec2 px = ivec2(gl_FragCoord.xy);
-  vec4 position = texelFetch(gbuffer_position, px, 0);
-  vec3 n_world = texelFetch(gbuffer_normal, px, 0).xyz;
-  Bias bias = Bias(bias_world, bias_texels, normal_offset_texels, RECEIVER_PLANE != 0);
-  bool is_background = position.w == 0.0;
-  out_visibility = is_background ? 1.0 : visibility_of(make_receiver(view_light, position.xyz, n_world, bias));
+  Receiver receiver;
+  out_visibility = fetch_receiver(receiver) ? visibility_of(receiver) : 1.0;
 }

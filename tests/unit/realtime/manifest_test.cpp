@@ -389,6 +389,27 @@ TEST(Manifest, ParameterGroupsComeFromTheSharedFolder) {
       AllOf(HasSubstr("unknown parameter group 'bais'"), HasSubstr("'bias'")));
 }
 
+TEST(Manifest, ParameterGroupsMayBeginWithOthersButNotWithThemselves) {
+  TechniqueFolder folder;
+  folder.write_shared("outer.toml",
+                      "parameter_groups = [\"inner\"]\n[[parameter]]\nname = \"softness\"\ntype = "
+                      "\"real\"\ndefault = 0.25\nmin = 0\nmax = 1\nstage = \"uniform\"\ndoc = \"x\"\n");
+  const std::string manifest =
+      replaced(whole_manifest(),
+               "[[parameter]]\nname = \"softness\"\ntype = \"real\"\ndefault = 0.5\nmin = 0.0\nmax = "
+               "1.0\nstage = \"uniform\"\ndoc = \"Softness.\"\n",
+               "");
+  const std::string grouped =
+      replaced(manifest, "constraints", "parameter_groups = [\"outer\"]\nconstraints");
+  folder.write_shared("inner.toml",
+                      "[[parameter]]\nname = \"unused\"\ntype = \"boolean\"\ndefault = true\nstage = "
+                      "\"host\"\ndoc = \"x\"\n");
+  EXPECT_THAT(error_of(folder, grouped), HasSubstr("host parameter 'unused' is never read"));
+  folder.write_shared("inner.toml", "parameter_groups = [\"outer\"]\n");
+  EXPECT_THAT(error_of(folder, grouped),
+              AllOf(HasSubstr("inner.toml:1"), HasSubstr("group 'outer' comes in a second time")));
+}
+
 TEST(Manifest, HashCoversManifestShadersAndGroupsButNotThePlace) {
   TechniqueFolder a;
   TechniqueFolder b;
