@@ -5,6 +5,14 @@
 #include <cmath>
 
 namespace umbrameter {
+namespace {
+
+/// Four significant digits, but no powers of ten.
+std::string milliseconds_text(double ms) {
+  return ms < 1000.0 ? fmt::format("{:.4g}", ms) : fmt::format("{:.0f}", ms);
+}
+
+}  // namespace
 
 std::string format_error(const std::optional<double>& value) {
   return value ? fmt::format("{:.5f}", *value) : kNotApplicable;
@@ -21,8 +29,9 @@ std::string format_interval(const std::optional<Interval>& interval) {
 
 std::string format_time(const std::optional<PassTime>& time) {
   if (!time) return kNotApplicable;
-  if (time->frames == 1) return fmt::format("{:.4g} ms (1 frame)", time->median_ms);
-  return fmt::format("{:.4g} ± {:.2g} ms ({} frames)", time->median_ms, time->mad_ms, time->frames);
+  if (time->frames == 1) return fmt::format("{} ms (1 frame)", milliseconds_text(time->median_ms));
+  return fmt::format("{} ± {} ms ({} frames)", milliseconds_text(time->median_ms),
+                     milliseconds_text(time->mad_ms), time->frames);
 }
 
 std::string format_bytes(uint64_t bytes) {

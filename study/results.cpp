@@ -20,14 +20,9 @@ ParityNumbers parity_numbers(const Parity& parity, double required_agreement) {
 }
 
 std::optional<PassTime> total_time(const std::vector<PassTime>& pass_times) {
-  if (pass_times.empty()) return std::nullopt;
-  PassTime total{.pass = "total", .frames = pass_times.front().frames};
-  for (const PassTime& time : pass_times) {
-    total.median_ms += time.median_ms;
-    total.mad_ms += time.mad_ms;
-    total.frames = std::min(total.frames, time.frames);
-  }
-  return total;
+  const auto found = std::find_if(pass_times.begin(), pass_times.end(),
+                                  [](const PassTime& time) { return time.pass == "total"; });
+  return found == pass_times.end() ? std::nullopt : std::optional(*found);
 }
 
 std::optional<double> region_rmse(const RegionError& region) {

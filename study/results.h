@@ -104,8 +104,8 @@ struct Results {
   std::vector<Skip> skipped;
 };
 
-/// Time of a whole frame: the sum of the passes' medians, the sum of their MADs (an upper bound of the
-/// frame's own MAD) and the fewest frames any pass was timed over. Absent when nothing was timed.
+/// Time of a whole frame: the entry "total" that the real-time renderer adds after its passes (their sum,
+/// frame by frame, then median and MAD). Absent when nothing was timed.
 std::optional<PassTime> total_time(const std::vector<PassTime>& pass_times);
 
 /// Root of a region's mse with its sign; absent for a region without pixels.

@@ -53,8 +53,8 @@ struct Renderers {
 using SceneDone = std::function<void(const SceneResult&)>;
 
 /// Runs everything; a run that throws is recorded and the rest goes on (Error{cancelled} passes through, and
-/// so does a failure to write). Images and pictures go into `folder`/images/<scene>/. Results carry version and
-/// commit.
+/// so does a failure to write). Images and pictures go into `folder`/images/<scene>/. Results carry version
+/// and commit.
 Results run_validation(std::span<const SceneJob> scenes, const ValidationPlan& plan, Renderers renderers,
                        const std::filesystem::path& folder, Progress& progress,
                        const SceneDone& scene_done = {});

@@ -41,7 +41,7 @@ Frame frame_of(Image image);
 /// Truth without noise.
 FakeRenderer fake_reference();
 
-/// "off": wrong by +0.1 in the left half; "broken": throws Error{input}; anything else: exact. One pass of
+/// "off": wrong by +0.1 in the left half; "broken": throws Error{input}; anything else: exact. Frames of
 /// `pass_ms` when timed.
 FakeRenderer fake_realtime(double pass_ms = 1.0);
 

@@ -77,7 +77,7 @@ TEST_F(ReportBrowser, ShowsTheNumbersOfResultsJsonAndLogsNoError) {
         {"over_shadowing", error["over_shadowing"]},
         {"under_shadowing", error["under_shadowing"]},
         {"penumbra_rmse", error["penumbra"]["rmse"]},
-        {"total_ms", run["pass_times"][0]["median_ms"]},
+        {"total_ms", run["pass_times"].back()["median_ms"]},
         {"memory_bytes", run["memory_bytes"]}};
     for (const auto& [column, value] : expected) {
       const auto [data, text] = cell(result.out, run["label"], column);
