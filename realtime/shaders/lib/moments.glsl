@@ -1,0 +1,39 @@
+// Moments of the distances a filter covers, and what they say about a receiver behind them.
+// Distances here are linear and normalised: 0 at the view's near plane, 1 behind the far one, where nothing is.
+#include "spaces.glsl"
+
+/// World length of normalised 1. Past the far plane, which is at the farthest receiver: a surface that goes on beyond
+/// it must not be flattened inside a filter, or it shadows itself.
+float range_world(LightViewData view) {
+  return 1.25 * (view.depth_range.y - view.depth_range.x);  // const: room for a filter on a slope
+}
+
+/// Casters before the near plane lie on it.
+float normalized_distance(LightViewData view, float distance_world) {
+  return clamp((distance_world - view.depth_range.x) / range_world(view), 0.0, 1.0);
+}
+
+/// A world length as a difference of normalised distances.
+float normalized_length(LightViewData view, float length_world) { return length_world / range_world(view); }
+
+/// Variance of the distance inside a texel over which it changes by `slope`: slope^2 / 12 per axis for a box, / 4 for
+/// a Gaussian of half a texel (Donnelly and Lauritzen 2006). `texel_normalized` limits the slope to that of a surface seen
+/// at 84 degrees: an edge-on triangle's has no bound.
+float texel_variance_of(vec2 slope, float variance_per_slope2, float texel_normalized) {
+  const float kMaxSlope = 10.0;  // const: tangent of the incidence angle
+  vec2 limited = min(abs(slope), kMaxSlope * texel_normalized);
+  return variance_per_slope2 * dot(limited, limited);
+}
+
+/// Share of the filter not nearer than `z`, at most: Chebyshev's one-sided inequality. Exact when all that is nearer
+/// lies at one distance and the rest at z. `moments` = (mean, mean square).
+float chebyshev(vec2 moments, float z, float min_variance) {
+  float variance = max(moments.y - moments.x * moments.x, min_variance);
+  float beyond = z - moments.x;
+  return beyond <= 0.0 ? 1.0 : variance / (variance + beyond * beyond);
+}
+
+/// What the bound leaks where the truth is 0 lies below some share a: [a, 1] becomes [0, 1] (Lauritzen 2008).
+float without_bleeding(float bound, float bleed_reduction) {
+  return clamp((bound - bleed_reduction) / (1.0 - bleed_reduction), 0.0, 1.0);
+}

@@ -1,0 +1,15 @@
+// Variance shadow maps (Donnelly and Lauritzen 2006) over a map that was blurred once.
+#include "pixel.glsl"
+#include "variance_bound.glsl"
+
+float visibility_of(Receiver receiver) {
+  float known;
+  if (is_known(view_light, receiver, known)) return known;
+  vec2 uv = texel_position(view_light, receiver.lateral) * moments_size.zw;
+  return variance_visibility(view_light, receiver, texture(moments, uv).rg);
+}
+
+void main() {
+  Receiver receiver;
+  out_visibility = fetch_receiver(receiver) ? visibility_of(receiver) : 1.0;
+}
