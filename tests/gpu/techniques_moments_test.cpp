@@ -130,5 +130,63 @@ TEST(vsm, bleed_reduction_removes_leaks_below_it) {
   EXPECT_NEAR(largest_visibility(scene, "vsm", less), (leak - 0.5 * leak) / (1 - 0.5 * leak), 0.01);
 }
 
+ParameterValues esm_with(const std::string& form, double exponent, double width_texels = 5.0) {
+  return exact({{"form", form},
+                {"exponent", exponent},
+                {"filter_width_texels", width_texels},
+                {"bias_world", kMinDeviation}});
+}
+
+double darkest(const std::vector<float>& v) {
+  return *std::ranges::min_element(v);
+}
+
+TEST(esm, lets_through_the_exponential_of_the_distance_behind_one_flat_blocker) {
+  UMBRAMETER_REQUIRE_GL();
+  // One blocker distance d everywhere: V = p + (1 - p) exp(-c d), p the pcf box; and exp(-2 c d) is the square of
+  // exp(-c d). The bias b multiplies by exp(c b): under 1.01 for c = 20, since the map's range is over 2 m.
+  const Scene scene = half_plane_scene(light_at_4(LightType::sun, 0.5));
+  const auto box = pcf_box(scene, 5.0);
+  const auto v = visibility(scene, "esm", esm_with("exponential", 10.0));
+  const double leak = darkest(v);
+  EXPECT_GT(leak, 0.0);
+  EXPECT_LT(leak, 0.9);
+  EXPECT_NEAR(darkest(visibility(scene, "esm", esm_with("exponential", 20.0))), leak * leak,
+              0.01 * leak * leak);
+  for (size_t i = 0; i < v.size(); ++i) ASSERT_NEAR(v[i], box[i] + (1 - box[i]) * leak, 0.01) << i;
+}
+
+TEST(esm, of_a_high_exponent_is_the_box_filter_for_one_flat_blocker) {
+  UMBRAMETER_REQUIRE_GL();
+  // exp(-1000 d) vanishes, in log space without overflow. A bias b would multiply the lit share by exp(c b); parallel
+  // planes need none.
+  ParameterValues values = esm_with("log_space", 1000.0);
+  values["bias_world"] = 0.0;
+  const Scene scene = half_plane_scene(light_at_4(LightType::sun, 0.5));
+  EXPECT_LT(largest_difference(visibility(scene, "esm", values), pcf_box(scene, 5.0)), kRounding);
+}
+
+TEST(esm, log_space_is_the_same_mean) {
+  UMBRAMETER_REQUIRE_GL();
+  for (const Scene& scene : {plate_scene(), two_layer_scene(1.0, 2.0)}) {
+    for (const double width : {1.0, 4.5}) {
+      const auto direct = visibility(scene, "esm", esm_with("exponential", 60.0, width));
+      EXPECT_LT(largest_difference(direct, visibility(scene, "esm", esm_with("log_space", 60.0, width))),
+                kRounding)
+          << scene.name << " " << width;
+    }
+  }
+}
+
+TEST(esm, linear_depth_is_darker_never_lighter) {
+  UMBRAMETER_REQUIRE_GL();
+  // Jensen: exp(c mean z) <= mean exp(c z), and less wherever z differs.
+  const Scene scene = plate_scene();
+  const auto exponential = visibility(scene, "esm", esm_with("exponential", 60.0));
+  const auto linear = visibility(scene, "esm", esm_with("linear_depth", 60.0));
+  for (size_t i = 0; i < linear.size(); ++i) ASSERT_LE(linear[i], exponential[i] + 1e-4) << i;
+  EXPECT_GT(largest_difference(exponential, linear), 0.3);
+}
+
 }  // namespace
 }  // namespace umbrameter

@@ -1,5 +1,6 @@
 // What every technique owes whatever its picture: sane values, no self-shadowing, parameters that act.
 
+#include "core/error.h"
 #include "realtime/manifest/technique.h"
 #include "tests/gpu/technique_fixture.h"
 #include "tests/support/procedural_scene.h"
@@ -70,6 +71,15 @@ std::vector<ParameterValue> alternatives(const Parameter& parameter) {
   return {parameter.min, parameter.max};
 }
 
+bool holds_constraints(const Technique& technique, const ParameterValues& values) {
+  try {
+    resolve_parameters(technique, values);
+  } catch (const Error&) {
+    return false;
+  }
+  return true;
+}
+
 /// Largest change of the picture that a value of `parameter` makes to `base`.
 double change_by(const Scene& scene, const Technique& technique, const Parameter& parameter,
                  const ParameterValues& base) {
@@ -78,6 +88,7 @@ double change_by(const Scene& scene, const Technique& technique, const Parameter
   for (const ParameterValue& value : alternatives(parameter)) {
     ParameterValues values = base;
     values[parameter.name] = value;
+    if (!holds_constraints(technique, values)) continue;
     change = std::max(change, largest_difference(before, visibility(scene, technique.id, values)));
   }
   return change;

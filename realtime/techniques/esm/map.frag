@@ -1,0 +1,6 @@
+// The exponential shadow map before its blur.
+#include "esm_filter.glsl"
+
+in float distance_world;
+
+void main() { out_warped = stored_value(normalized_distance(VIEW, distance_world)); }
