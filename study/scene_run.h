@@ -1,0 +1,57 @@
+#pragma once
+// The steps of one scene's validation, each guarded on its own. Not here: their order (study/validation.cpp).
+
+#include "study/validation.h"
+
+namespace umbrameter {
+
+/// What every step needs.
+struct SceneContext {
+  const SceneJob& job;
+  const ValidationPlan& plan;
+  Renderers renderers;
+  std::filesystem::path folder;  // of all results
+  Progress& progress;
+
+  /// Where `file` of this scene goes, relative to `folder`.
+  std::string relative(const std::string& file) const;
+};
+
+/// A run with its picture, until it is scored.
+struct TechniqueFrame {
+  TechniqueResult result;
+  Frame frame;
+};
+
+/// Gives tasks longer names: "pcss" becomes "plate (2 of 13), pcss:taps=64".
+class RenamedProgress final : public Progress {
+ public:
+  using Rename = std::function<std::string(std::string_view)>;
+  RenamedProgress(Progress& inner, Rename rename) : inner_(inner), rename_(std::move(rename)) {}
+  void begin(std::string_view task, uint64_t steps) override { inner_.begin(rename_(task), steps); }
+  void advance(uint64_t steps) override { inner_.advance(steps); }
+  void end() override { inner_.end(); }
+
+ private:
+  Progress& inner_;
+  Rename rename_;
+};
+
+/// The plan's size and seed, no technique.
+RenderRequest request_of(const ValidationPlan& plan);
+
+/// Renders and times every technique of the plan that supports the scene's light and stores its image; the
+/// others join `skipped`.
+std::vector<TechniqueFrame> render_techniques(const SceneContext& context, std::vector<Skip>& skipped);
+
+/// Renders and stores the truth; sets scene.reference, or scene.failure.
+Frame render_reference(const SceneContext& context, SceneResult& scene);
+
+/// Sets scene.parity, or scene.failure, and stores the parity picture.
+void compare_renderers(const SceneContext& context, const Image& surfaces, const Image& reference,
+                       SceneResult& scene);
+
+/// Sets the run's error, or its failure, and stores its pictures.
+void score_technique(const SceneContext& context, const Image& reference, TechniqueFrame& run);
+
+}  // namespace umbrameter
