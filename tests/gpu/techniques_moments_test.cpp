@@ -188,5 +188,49 @@ TEST(esm, linear_depth_is_darker_never_lighter) {
   EXPECT_GT(largest_difference(exponential, linear), 0.3);
 }
 
+TEST(evsm, is_the_box_filter_for_one_flat_blocker) {
+  UMBRAMETER_REQUIRE_GL();
+  for (const double width : {1.0, 5.0}) {
+    const auto bound = visibility(plate_scene(), "evsm", exact_moments({{"filter_width_texels", width}}));
+    EXPECT_LT(largest_difference(bound, pcf_box(plate_scene(), width)), kRounding) << width;
+  }
+}
+
+TEST(evsm, without_exponents_is_vsm) {
+  UMBRAMETER_REQUIRE_GL();
+  // exp(c t) is 1 + c t + (c t)^2 / 2 and the bound does not change under 1 + c t: what is left falls with c, until the
+  // floats of squares near 1 run out (6e-8 of variances over (2 c / 8)^2 = 2e-4).
+  const Scene scene = two_layer_scene(1.0, 2.0);
+  ParameterValues values = exact_moments({{"filter_width_texels", 9.0}});
+  const auto plain = visibility(scene, "vsm", values);
+  double before = 1.0;
+  for (const double exponent : {1.0, 0.25, 0.0625}) {
+    values["positive_exponent"] = exponent;
+    values["negative_exponent"] = exponent;
+    const double apart = largest_difference(visibility(scene, "evsm", values), plain);
+    EXPECT_LT(apart, 0.5 * before) << exponent;
+    before = apart;
+  }
+  EXPECT_LT(before, 0.01);
+}
+
+TEST(evsm, leaks_between_two_layers_far_less_than_vsm) {
+  UMBRAMETER_REQUIRE_GL();
+  // The positive warp makes A to B small against B to floor: leak p(1-p) x^2 / (...) with x = w(B) - w(A) and
+  // y = w(floor) - w(B), and w grows by exp(2 c / range) = exp(80 / range) a metre; with a range under 8 m, y / x >
+  // e^10 - 1.
+  const Scene scene = two_layer_scene(1.0, 2.0);
+  const ParameterValues wide = exact_moments({{"filter_width_texels", 25.0}});
+  EXPECT_GT(largest_visibility(scene, "vsm", wide), 0.1);
+  EXPECT_LT(largest_visibility(scene, "evsm", wide), 1e-3);
+}
+
+TEST(evsm, stays_finite_at_its_highest_exponents) {
+  UMBRAMETER_REQUIRE_GL();
+  const ParameterValues highest = {
+      {"positive_exponent", 42.0}, {"negative_exponent", 42.0}, {"map_size", int64_t{512}}};
+  for (const float v : visibility(plate_scene(), "evsm", highest)) ASSERT_TRUE(v >= 0.0f && v <= 1.0f) << v;
+}
+
 }  // namespace
 }  // namespace umbrameter

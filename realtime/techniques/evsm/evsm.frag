@@ -1,0 +1,28 @@
+// Exponential variance shadow maps (Lauritzen and McCool 2008): Chebyshev's bound in two warped distances, the lower
+// one counts.
+#include "exponential_warp.glsl"
+#include "pixel.glsl"
+
+/// The bound for one warp, `axis` 0 or 1; a deviation grows with the warp's slope at the receiver.
+float warped_bound(vec4 filtered, vec2 w, vec2 min_deviation, int axis) {
+  return chebyshev(vec2(filtered[axis], filtered[axis + 2]), w[axis], min_deviation[axis] * min_deviation[axis]);
+}
+
+float visibility_of(Receiver receiver) {
+  float known;
+  if (is_known(view_light, receiver, known)) return known;
+  vec2 p_texels = texel_position(view_light, receiver.lateral);
+  if (any(lessThan(p_texels, vec2(0.0))) || any(greaterThan(p_texels, moments_size.xy))) return 1.0;
+  vec4 filtered = texture(moments, p_texels * moments_size.zw);
+  float z = normalized_distance(view_light, receiver.p_light.z - receiver.bias_world);
+  vec2 w = warped(z);
+  vec2 min_deviation = warped_slope(w) * normalized_length(view_light, min_deviation_world);
+  float positive = warped_bound(filtered, w, min_deviation, 0);
+  float negative = NEGATIVE_WARP != 0 ? warped_bound(filtered, w, min_deviation, 1) : 1.0;
+  return without_bleeding(min(positive, negative), bleed_reduction);
+}
+
+void main() {
+  Receiver receiver;
+  out_visibility = fetch_receiver(receiver) ? visibility_of(receiver) : 1.0;
+}
