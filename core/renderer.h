@@ -23,7 +23,7 @@ struct RenderRequest {
   int timed_frames = 0;        // 0 = render once, no timing
 };
 
-/// Time of one pass over the timed frames.
+/// Time of one pass over the timed frames; the list ends with "total", the whole frames.
 struct PassTime {
   std::string pass;
   double median_ms = 0.0;

@@ -32,13 +32,16 @@ Block shoot_primary(const BlockJob& job, int x0, int y0, ReferencePlanes& planes
       if (!hit) continue;
       const uint32_t index = static_cast<uint32_t>(y * planes.width() + x);
       planes.write_surface(index, *hit);
-      const LightPatch patch = make_light_patch(job.light, hit->receiver, job.scene_extent_world);
+      const Receiver& receiver = hit->receiver;
+      const LightPatch patch = make_light_patch(job.light, receiver, job.scene_extent_world);
       if (is_below_horizon(patch) && is_unlit(patch)) {
         planes.write_light(index, {}, {});
         continue;
       }
+      planes.write_unshadowed_irradiance(
+          index, unshadowed_irradiance(job.light, receiver.p_world, receiver.n_shading_world));
       block.pixels[block.count++] = {
-          index, pixel_seed(job.seed, index), hit->receiver.ray_origin_world, patch, {}};
+          index, pixel_seed(job.seed, index), receiver.ray_origin_world, patch, {}};
     }
   }
   return block;

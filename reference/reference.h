@@ -17,24 +17,22 @@ struct ReferenceSettings {
 };
 
 // What the channels of core/renderer.h mean here, per pixel, seen through its centre:
-//   visibility           geometric visibility: mean over all samples; a sample below the receiver's geometric
-//   plane or
-//                        behind a one-sided light is not seen
-//   half_a, half_b       the same over one half of the replicates each
-//   visibility_se        standard error of visibility from the spread of the replicates, never below 0.5 /
-//   samples:
-//                        samples that all agree can still miss an occluder. 0 only where no light can come
-//                        from by the geometry of the receiver alone, and on the background
-//   irradiance_ratio     S = sum(w v) / sum(w), w = cosine (shading normal) x cosine at the light x falloff;
-//   0 where
-//                        sum(w) is 0
-//   unshadowed_irradiance  mean w: irradiance per unit radiance; sun: per unit irradiance at normal incidence
-//   sample_count         samples taken; 0 where none was needed
-//   blocker_*            from 16 further rays, where visibility < 1; 0 when none of them is blocked.
-//   distance: mean and
-//                        least distance (world) from the receiver to the first surface on a blocked ray;
-//                        layers: mean number of surfaces on a blocked ray, those closer than 1e-6 of their
-//                        distance counted once
+//   visibility, half_a, half_b
+//       Geometric visibility: the mean over all samples, and over one half of the replicates each. A sample below
+//       the receiver's geometric plane or behind a one-sided light is not seen.
+//   visibility_se
+//       Standard error of visibility from the spread of the replicates, never below 0.5 / samples: samples that all
+//       agree can still miss an occluder. 0 only where no light can come from by the geometry of the receiver alone.
+//   irradiance_ratio
+//       S = sum(w v) / sum(w), w = cosine (shading normal) x cosine at the light x falloff; 0 where sum(w) is 0.
+//   unshadowed_irradiance
+//       unshadowed_irradiance() of scenes/light.h: per unit radiance; sun: per unit irradiance at normal incidence.
+//   sample_count
+//       Samples taken; 0 where none was needed.
+//   blocker_distance, blocker_distance_min, blocker_layers
+//       From 16 further rays, where visibility < 1; 0 when none of them is blocked. Mean and least distance (world)
+//       from the receiver to the first surface on a blocked ray; mean number of surfaces on a blocked ray, those
+//       closer than 1e-6 of their distance counted once.
 // Background: visibility, halves and irradiance_ratio are 1, primitive_id -1, everything else 0.
 
 /// Independently scrambled Sobol sets per pixel: 4 make half A, 4 make half B; their spread gives the

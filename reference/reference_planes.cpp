@@ -37,6 +37,10 @@ void ReferencePlanes::write_surface(size_t pixel, const PrimaryHit& hit) {
   primitive_id_[pixel] = static_cast<float>(hit.primitive);
 }
 
+void ReferencePlanes::write_unshadowed_irradiance(size_t pixel, double irradiance) {
+  unshadowed_irradiance_[pixel] = static_cast<float>(irradiance);
+}
+
 void ReferencePlanes::write_light(size_t pixel, const PixelEstimate& estimate,
                                   const BlockerStatistics& blockers) {
   visibility_[pixel] = static_cast<float>(estimate.visibility);
@@ -44,7 +48,6 @@ void ReferencePlanes::write_light(size_t pixel, const PixelEstimate& estimate,
   half_a_[pixel] = static_cast<float>(estimate.half_a);
   half_b_[pixel] = static_cast<float>(estimate.half_b);
   irradiance_ratio_[pixel] = static_cast<float>(estimate.irradiance_ratio);
-  unshadowed_irradiance_[pixel] = static_cast<float>(estimate.unshadowed_irradiance);
   sample_count_[pixel] = static_cast<float>(estimate.sample_count);
   blocker_distance_[pixel] = static_cast<float>(blockers.distance_mean_world);
   blocker_distance_min_[pixel] = static_cast<float>(blockers.distance_min_world);

@@ -17,6 +17,7 @@ class ReferencePlanes {
   int height() const { return height_; }
 
   void write_surface(size_t pixel, const PrimaryHit& hit);
+  void write_unshadowed_irradiance(size_t pixel, double irradiance);
   void write_light(size_t pixel, const PixelEstimate& estimate, const BlockerStatistics& blockers);
 
  private:

@@ -74,7 +74,6 @@ PixelEstimate estimate_pixel(const PixelSums& sums) {
   const double floor = 0.5 / estimate.sample_count;
   estimate.visibility_se = std::max(floor, std::sqrt(squares / (kReplicates * (kReplicates - 1))));
   estimate.irradiance_ratio = weight > 0.0 ? weight_seen / weight : 0.0;
-  estimate.unshadowed_irradiance = weight / estimate.sample_count;
   return estimate;
 }
 

@@ -24,7 +24,6 @@ struct PixelEstimate {
   double half_a = 0.0;
   double half_b = 0.0;
   double irradiance_ratio = 0.0;
-  double unshadowed_irradiance = 0.0;
   uint32_t sample_count = 0;
 };
 

@@ -107,4 +107,33 @@ LightSample sample_light(const Light& light, const glm::dvec3& p_world, const gl
   return sample;
 }
 
+namespace {
+
+struct GridMean {
+  double irradiance = 0.0;
+  bool straddles_horizon = false;
+};
+
+/// Midpoint rule on side x side cells of the light.
+GridMean mean_over_grid(const Light& light, const glm::dvec3& p_world, const glm::dvec3& n_world, int side) {
+  GridMean mean;
+  for (int i = 0; i < side * side; ++i) {
+    const glm::dvec2 uv = (glm::dvec2(i % side, i / side) + 0.5) / static_cast<double>(side);
+    const double weight = sample_light(light, p_world, n_world, uv).irradiance_weight;
+    mean.irradiance += weight / (side * side);
+    mean.straddles_horizon |= weight == 0.0;
+  }
+  return mean;
+}
+
+}  // namespace
+
+double unshadowed_irradiance(const Light& light, const glm::dvec3& p_world, const glm::dvec3& n_world) {
+  const GridMean fine = mean_over_grid(light, p_world, n_world, 8);
+  if (fine.straddles_horizon) return mean_over_grid(light, p_world, n_world, 32).irradiance;
+  // Richardson: the midpoint rule's error falls with the square of the cell's side.
+  const GridMean coarse = mean_over_grid(light, p_world, n_world, 4);
+  return (4.0 * fine.irradiance - coarse.irradiance) / 3.0;
+}
+
 }  // namespace umbrameter

@@ -49,4 +49,8 @@ LightSample sample_light(const Light& light, const glm::dvec3& p_world, const gl
 /// sun the unit direction *towards* the light. What N-map accumulation renders from.
 glm::dvec3 light_point(const Light& light, const glm::dvec2& uv);
 
+/// Irradiance at `p_world` (normal `n_world`) with nothing in between: the mean of irradiance_weight over a fixed
+/// grid of 8 x 8 points of the light (32 x 32 where it straddles the horizon), so that it carries no noise.
+double unshadowed_irradiance(const Light& light, const glm::dvec3& p_world, const glm::dvec3& n_world);
+
 }  // namespace umbrameter

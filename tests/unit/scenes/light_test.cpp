@@ -77,6 +77,20 @@ TEST(Light, SunHasUnitNormalIrradianceAndItsAngularRadius) {
   EXPECT_GT(largest, 0.099);
 }
 
+TEST(Light, UnshadowedIrradianceIsTheMeanOfManySamples) {
+  for (const LightType type : {LightType::rect, LightType::disk, LightType::sphere, LightType::sun}) {
+    const Light light = light_above_origin(type);
+    const glm::dvec3 p(0.7, 0.1, -0.4);
+    const glm::dvec3 n = glm::normalize(glm::dvec3(0.3, 1.0, 0.2));
+    EXPECT_NEAR(unshadowed_irradiance(light, p, n) / mean_irradiance(light, p, n), 1.0, 5e-4)
+        << to_text(type);
+    // The light straddles this receiver's horizon: normal at right angles to the direction of its centre.
+    const glm::dvec3 grazing = glm::normalize(glm::cross(glm::dvec3(0, 2, 0) - p, glm::dvec3(0, 0, 1)));
+    EXPECT_NEAR(unshadowed_irradiance(light, p, grazing) / mean_irradiance(light, p, grazing), 1.0, 5e-3)
+        << to_text(type);
+  }
+}
+
 TEST(Light, FlatLightsAreDarkBehind) {
   for (const LightType type : {LightType::rect, LightType::disk}) {
     const Light light = light_above_origin(type);

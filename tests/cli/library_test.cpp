@@ -1,0 +1,103 @@
+// Without these a scene of the library could stop loading, stop agreeing between the renderers, or lose a
+// technique. The real models are found through UMBRAMETER_ASSETS; without it their tests are skipped.
+
+#include "tests/cli/cli_fixture.h"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace umbrameter {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+const fs::path kLibrary = fs::path(UMBRAMETER_SOURCE_DIR) / "scenes/library";
+constexpr int kPatience_s = 550;
+
+std::vector<std::string> scene_names(const fs::path& folder) {
+  std::vector<std::string> names;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+/// Every scene was compared, agrees in at least 99.5 % of its covered pixels, and every technique has its
+/// error or is listed as skipped.
+void expect_all_measured(const Json& results, size_t scene_count) {
+  ASSERT_EQ(results["scenes"].size(), scene_count);
+  for (const Json& scene : results["scenes"]) {
+    ASSERT_TRUE(scene["parity"].is_object()) << scene["name"];
+    EXPECT_GE(scene["parity"]["agreement"].get<double>(), 0.995) << scene["name"];
+    for (const Json& run : scene["techniques"]) {
+      ASSERT_TRUE(run["error"].is_object()) << scene["name"] << ", " << run["label"];
+      EXPECT_TRUE(run["error"]["rmse"]["value"].is_number()) << scene["name"] << ", " << run["label"];
+    }
+  }
+}
+
+class Library : public CliTest {
+ protected:
+  void SetUp() override { require_gl(); }
+
+  Json validate(std::vector<std::string> arguments, const std::string& assets = {}) {
+    arguments.insert(arguments.begin(), {"validate", "--json"});
+    if (!assets.empty()) arguments.insert(arguments.end(), {"--assets", assets});
+    ProcessOptions options;
+    options.timeout_s = kPatience_s;
+    const ProcessResult result = umbrameter(arguments, options);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return result.exit_code == 0 ? Json::parse(result.out) : Json::object();
+  }
+};
+
+TEST_F(Library, EveryBuiltInSceneIsMeasuredWithEveryTechnique) {
+  const Json results = validate({"--width", "192", "--height", "108", "--spp", "64"});
+  expect_all_measured(results, scene_names(kLibrary).size());
+}
+
+class Assets : public Library {
+ protected:
+  void SetUp() override {
+    Library::SetUp();
+    const char* folder = std::getenv("UMBRAMETER_ASSETS");
+    if (folder == nullptr || *folder == '\0')
+      GTEST_SKIP() << "UMBRAMETER_ASSETS does not name the real models";
+    assets_ = folder;
+  }
+  std::string assets_;
+};
+
+class AssetScene : public Assets, public testing::WithParamInterface<std::string> {};
+
+TEST_P(AssetScene, BothRenderersAgree) {
+  const Json results =
+      validate({"assets/" + GetParam(), "--technique", "hard", "--quality", "quick"}, assets_);
+  expect_all_measured(results, 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(EveryModel, AssetScene, testing::ValuesIn(scene_names(kLibrary / "assets")),
+                         [](const auto& instance) { return instance.param; });
+
+TEST_F(Assets, SponzaBunnyAndDragonAreMeasuredAt960x540) {
+  const Json results =
+      validate({"assets/crytek_sponza", "assets/bunny", "assets/dragon", "--technique", "hard", "--technique",
+                "pcf", "--technique", "pcss", "--technique", "accumulate:light_samples=16", "--width", "960",
+                "--height", "540", "--spp", "128"},
+               assets_);
+  expect_all_measured(results, 3);
+  for (const Json& scene : results["scenes"]) {
+    EXPECT_EQ(scene["techniques"].size(), 4u);
+    EXPECT_LT(scene["techniques"][2]["error"]["rmse"]["value"],
+              scene["techniques"][0]["error"]["rmse"]["value"])
+        << scene["name"] << ": PCSS should be nearer to the truth than a hard shadow";
+  }
+}
+
+}  // namespace
+}  // namespace umbrameter
