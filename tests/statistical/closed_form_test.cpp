@@ -138,16 +138,13 @@ TEST(ClosedForm, unshadowed_irradiance_is_that_of_the_whole_light) {
   const double expected[] = {rectangle_irradiance(-0.5, 0.5, -0.5, 0.5, h),
                              std::numbers::pi * r * r / (r * r + h * h), std::numbers::pi * r * r / (h * h),
                              2.0 * (std::sqrt(1.0 + t * t) - 1.0) / (t * t)};
-  // The midpoint rule on 8 x 8 cells of side d = 1/8 errs by d^2/24 f'' a dimension; f = h^4 / (h^2 + x^2)^2 has
-  // f'' = -4/h^2 at the centre: 2 d^2/24 4/h^2 = 2.1e-4.
-  const double tolerance = 3e-4;
   const std::vector<Light> lights = one_of_each();
   for (size_t i = 0; i < lights.size(); ++i) {
     Scene scene = floor_under(lights[i], 1e-3);  // the picture is a point: r changes by 1e-7
     finish_scene(scene);
     const Frame frame = render_reference(scene, {.side_px = 4, .samples_per_pixel = 8});
     const auto irradiance = frame.image.plane("unshadowed_irradiance");
-    for (const float e : irradiance) EXPECT_NEAR(e / expected[i], 1.0, tolerance) << to_text(lights[i].type);
+    for (const float e : irradiance) EXPECT_NEAR(e / expected[i], 1.0, 1e-4) << to_text(lights[i].type);
   }
 }
 
