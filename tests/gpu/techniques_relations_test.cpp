@@ -274,7 +274,7 @@ TEST(every_technique, pixels_outside_the_map_are_lit) {
   UMBRAMETER_REQUIRE_GL();
   // A sphere light amid the scene looks towards the receivers' middle; what lies beyond 80 deg off is
   // outside. The wall on the far side of the light faces it and nothing stands between; its rays come in at up to
-  // 86 deg, within the 87 deg that the receiver plane is exact for.
+  // 86 deg, within the 88 deg that the receiver plane is exact for.
   Scene scene;
   add_quad(scene, {-4, -4, 0}, {4, -4, 0}, {4, 4, 0}, {-4, 4, 0});
   scene.lights = {sphere_light({0, 0, 0.4}, 0.01)};
