@@ -3,6 +3,7 @@
 #include "cli/console.h"
 #include "cli/verbs.h"
 #include "core/image_io.h"
+#include "study/diagnosis_format.h"
 #include "study/format.h"
 #include "study/results_json.h"
 
@@ -22,6 +23,12 @@ std::string region_line(const char* name, const RegionError& region) {
                      format_signed_error(region_rmse(region) ? std::optional(region.bias) : std::nullopt));
 }
 
+std::string term_lines(const TermLines& lines) {
+  std::string text;
+  for (const auto& [term, meaning] : lines) text += fmt::format("{:<16} {}\n", term, meaning);
+  return text;
+}
+
 std::string score_text(const Score& score) {
   std::string text =
       score.has_surfaces
@@ -37,8 +44,10 @@ std::string score_text(const Score& score) {
   text += "over-shadowing   " + format_error(error.over_shadowing) + "\n";
   text += "under-shadowing  " + format_error(error.under_shadowing) + "\n";
   text += "largest |error|  " + format_error(error.max_error) + "\n";
-  return text + region_line("lit", error.lit) + region_line("penumbra", error.penumbra) +
-         region_line("umbra", error.umbra);
+  text += region_line("lit", error.lit) + region_line("penumbra", error.penumbra) +
+          region_line("umbra", error.umbra);
+  if (!score.diagnosis) return text;
+  return text + term_lines(penumbra_lines(*score.diagnosis)) + term_lines(fault_lines(*score.diagnosis));
 }
 
 int score(const ScoreOptions& options, const GlobalOptions& global) {
@@ -46,6 +55,7 @@ int score(const ScoreOptions& options, const GlobalOptions& global) {
   const Image reference = read_image(options.reference);
   const Score result = score_image(test, reference, eye_of(reference, options.reference));
   print_answer(global.json ? to_json_text(result, options.test, options.reference) : score_text(result));
+  if (result.no_diagnosis) print_error("the faults could not be told apart: " + result.no_diagnosis->message);
   if (result.parity.passes) return kExitFine;
   print_error("the image and the reference show other surfaces; no score");
   return kExitGateFailed;

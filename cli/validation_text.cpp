@@ -1,6 +1,7 @@
 #include "cli/validation_text.h"
 
 #include "cli/console.h"
+#include "study/diagnosis_format.h"
 #include "study/format.h"
 
 #include <fmt/format.h>
@@ -13,7 +14,7 @@ std::vector<std::string> row(const SceneResult& scene, const TechniqueResult& ru
   const std::string memory = run.memory_bytes > 0 ? format_bytes(run.memory_bytes) : kNotApplicable;
   if (!run.error) {
     const char* reason = run.failure ? "failed" : scene.parity ? "void" : "not compared";
-    return {scene.name, run.label, reason, "", "", "", "", time, memory};
+    return {scene.name, run.label, reason, "", "", "", "", "", time, memory};
   }
   const VisibilityError& error = *run.error;
   return {scene.name,
@@ -23,6 +24,7 @@ std::vector<std::string> row(const SceneResult& scene, const TechniqueResult& ru
           format_error(error.over_shadowing),
           format_error(error.under_shadowing),
           format_error(region_rmse(error.penumbra)),
+          format_worst_fault(run.diagnosis),
           time,
           memory};
 }
@@ -32,8 +34,9 @@ std::string table(const Results& results) {
   for (const SceneResult& scene : results.scenes) {
     for (const TechniqueResult& run : scene.techniques) rows.push_back(row(scene, run));
   }
-  return format_table(
-      {"scene", "technique", "RMSE [95 %]", "mean", "over", "under", "penumbra", "time", "memory"}, rows);
+  return format_table({"scene", "technique", "RMSE [95 %]", "mean", "over", "under", "penumbra",
+                       "worst fault", "time", "memory"},
+                      rows);
 }
 
 std::string scene_lists(const Results& results) {

@@ -123,6 +123,10 @@ PenumbraProfile measure_profile(const ReferenceField& field, std::span<const flo
   return profile;
 }
 
+constexpr std::array<std::string_view, kProfileOutcomes> kOutcomeNames = {
+    "accepted",     "no_ridge",   "discontinuity",  "unreached",
+    "not_monotone", "too_narrow", "test_unreached", "test_not_monotone"};
+
 void require_settings(const PenumbraSettings& settings) {
   if (settings.seed_spacing_px < 1)
     fail_input(fmt::format("seed_spacing_px is {}", settings.seed_spacing_px));
@@ -177,6 +181,10 @@ PenumbraError measure_penumbra(const Image& test, const Image& reference, std::s
   out.width_10_90_octaves = spread_of(octaves_10_90);
   out.offset_world = spread_of(offsets);
   return out;
+}
+
+std::string_view name_of(ProfileOutcome outcome) {
+  return kOutcomeNames[static_cast<size_t>(outcome)];
 }
 
 }  // namespace umbrameter

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace umbrameter {
@@ -33,6 +34,9 @@ enum class ProfileOutcome : uint8_t {
   test_not_monotone,  // the test's residual is above max_test_rms
 };
 inline constexpr size_t kProfileOutcomes = 8;
+
+/// The enumerator's own word.
+std::string_view name_of(ProfileOutcome outcome);
 
 /// One walk along the gradient of the reference's visibility on the receiver. Widths are those of a box ramp
 /// of equal second moment: a rectangular light with an edge along the blocker gives its penumbra width w, a

@@ -39,6 +39,8 @@ std::string legend() {
   html += swatch(kBackgroundColour, "nothing hit") + swatch(kUnscoredColour, "not scored");
   html += "</ul><p>Parity:</p><ul class=\"swatches\">";
   for (const ParityLegend& entry : parity_legend()) html += swatch(entry.colour, entry.text);
+  html += "</ul><p>Faults:</p><ul class=\"swatches\">";
+  for (const FaultLegend& entry : fault_legend()) html += swatch(entry.colour, entry.text);
   return html + "</ul>";
 }
 

@@ -3,6 +3,7 @@
 #include "core/files.h"
 #include "report/html.h"
 #include "report/table.h"
+#include "study/diagnosis_format.h"
 #include "study/format.h"
 #include "study/metadata.h"
 
@@ -65,6 +66,12 @@ std::string region_text(const RegionError& region) {
                      format_error(region_rmse(region)), format_signed_error(region.bias));
 }
 
+std::string term_lines(const TermLines& lines) {
+  std::string html;
+  for (const auto& [term, text] : lines) html += line(term, text);
+  return html;
+}
+
 std::string error_lines(const TechniqueResult& run) {
   if (!run.error) return {};
   const VisibilityError& error = *run.error;
@@ -73,7 +80,8 @@ std::string error_lines(const TechniqueResult& run) {
          line("largest |error|", format_error(error.max_error)) + line("lit", region_text(error.lit)) +
          line("penumbra", region_text(error.penumbra)) + line("umbra", region_text(error.umbra)) +
          line("scored", fmt::format("{} pixels", error.scored_pixels)) +
-         line("beyond the scale", format_share(run.clipped_share));
+         line("beyond the scale", format_share(run.clipped_share)) +
+         (run.diagnosis ? term_lines(penumbra_lines(*run.diagnosis)) : "");
 }
 
 std::string technique_figures(const Results& results, const SceneResult& scene, const TechniqueResult& run,
@@ -88,6 +96,10 @@ std::string technique_figures(const Results& results, const SceneResult& scene, 
                   pass_lines(run) + line("file", run.image_file) + context);
   html += picture(folder, run.error_picture_file, run.label + ": error against the reference",
                   "Signed visibility error of " + run.label, error_lines(run) + context);
+  if (!run.diagnosis) return html + "</div>\n";
+  html += picture(folder, run.fault_picture_file, run.label + ": faults",
+                  "Class of every wrong pixel of " + run.label,
+                  term_lines(fault_lines(*run.diagnosis)) + context);
   return html + "</div>\n";
 }
 

@@ -1,6 +1,7 @@
 #include "report/table.h"
 
 #include "report/html.h"
+#include "study/diagnosis_format.h"
 #include "study/format.h"
 
 #include <fmt/format.h>
@@ -18,6 +19,13 @@ std::string number_cell(std::string_view column, const std::optional<double>& va
 
 std::optional<double> value_of(const std::optional<Interval>& interval) {
   return interval ? std::optional(interval->value) : std::nullopt;
+}
+
+std::string fault_cell(const std::optional<Diagnosis>& diagnosis) {
+  const auto worst = diagnosis ? worst_fault(diagnosis->faults) : std::nullopt;
+  std::optional<double> part;
+  if (diagnosis) part = worst ? diagnosis->faults.of(*worst).mean_abs_error : 0.0;
+  return number_cell("worst_fault", part, format_worst_fault(diagnosis));
 }
 
 std::string error_cells(const VisibilityError& error) {
@@ -38,7 +46,7 @@ std::string missing_cells(const SceneResult& scene, const TechniqueResult& run) 
     reason = "void: parity fails";
   else if (scene.failure)
     reason = scene.failure->message;
-  return fmt::format("<td colspan=\"6\" class=\"problem\">{}</td>", escape_html(reason));
+  return fmt::format("<td colspan=\"7\" class=\"problem\">{}</td>", escape_html(reason));
 }
 
 std::string row(const SceneResult& scene, const std::string& anchor, const TechniqueResult& run) {
@@ -50,7 +58,7 @@ std::string row(const SceneResult& scene, const std::string& anchor, const Techn
              "<tr data-scene=\"{0}\" data-technique=\"{1}\"><th scope=\"row\"><a "
              "href=\"#{2}\">{0}</a></th><td>{1}</td>",
              escape_html(scene.name), escape_html(run.label), anchor) +
-         (run.error ? error_cells(*run.error) : missing_cells(scene, run)) +
+         (run.error ? error_cells(*run.error) + fault_cell(run.diagnosis) : missing_cells(scene, run)) +
          number_cell("total_ms", total_ms, format_time(total)) +
          number_cell("memory_bytes", memory, memory ? format_bytes(run.memory_bytes) : kNotApplicable) +
          "</tr>\n";

@@ -17,6 +17,20 @@ constexpr std::array<ParityLegend, 5> kParityLegend{{
     {ParityClass::irradiance, {0, 150, 140}, "other unshadowed irradiance"},
 }};
 
+constexpr std::array<FaultLegend, kFaultClasses> kFaultLegend{{
+    {FaultClass::unscored, kUnscoredColour, "not scored"},
+    {FaultClass::explained, {240, 240, 240}, "no fault, or a slight shift or softness"},
+    {FaultClass::acne, {213, 40, 0}, "acne: dark on lit ground"},
+    {FaultClass::terminator, {204, 121, 167}, "terminator: dark where facets turn from the light"},
+    {FaultClass::extra_shadow, {0, 0, 0}, "extra shadow"},
+    {FaultClass::penumbra, {240, 228, 66}, "penumbra: too soft or too hard"},
+    {FaultClass::peter_panning, {240, 140, 0}, "peter panning: light where objects touch"},
+    {FaultClass::bleed, {86, 180, 233}, "bleed: dim light behind several blockers"},
+    {FaultClass::geometric_leak, {0, 70, 200}, "geometric leak: other light in shadow"},
+    {FaultClass::lost_shadow, {0, 158, 115}, "lost shadow"},
+    {FaultClass::other, {125, 75, 30}, "other"},
+}};
+
 Picture blank(int width_px, int height_px) {
   const size_t pixels = static_cast<size_t>(width_px) * static_cast<size_t>(height_px);
   return {width_px, height_px, std::vector<uint8_t>(pixels * 3), 0.0};
@@ -85,6 +99,20 @@ Picture parity_picture(const Parity& parity) {
   Picture picture = blank(parity.width, parity.height);
   for (size_t i = 0; i < parity.classes.size(); ++i) {
     set_pixel(picture, i, kParityLegend.at(static_cast<size_t>(parity.classes[i])).colour);
+  }
+  return picture;
+}
+
+std::span<const FaultLegend> fault_legend() {
+  return kFaultLegend;
+}
+
+Picture fault_picture(std::span<const FaultClass> classes, int width_px, int height_px) {
+  Picture picture = blank(width_px, height_px);
+  UMBRAMETER_ASSERT(3 * classes.size() == picture.rgb.size(), "{} fault classes for {} x {} px",
+                    classes.size(), width_px, height_px);
+  for (size_t i = 0; i < classes.size(); ++i) {
+    set_pixel(picture, i, kFaultLegend.at(static_cast<size_t>(classes[i])).colour);
   }
   return picture;
 }

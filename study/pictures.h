@@ -3,6 +3,7 @@
 // legend takes them from here.
 
 #include "core/image.h"
+#include "metrics/faults.h"
 #include "metrics/parity.h"
 
 #include <array>
@@ -53,6 +54,16 @@ struct ParityLegend {
 std::span<const ParityLegend> parity_legend();
 
 Picture parity_picture(const Parity& parity);
+
+struct FaultLegend {
+  FaultClass fault;
+  Rgb8 colour;
+  std::string_view text;
+};
+/// One entry a class, in the order of FaultClass.
+std::span<const FaultLegend> fault_legend();
+
+Picture fault_picture(std::span<const FaultClass> classes, int width_px, int height_px);
 
 /// Writes the picture as PNG.
 void write_picture(const std::filesystem::path& path, const Picture& picture);

@@ -6,6 +6,7 @@
 #include "core/renderer.h"
 #include "metrics/parity.h"
 #include "metrics/visibility_error.h"
+#include "study/diagnosis.h"
 
 #include <cstdint>
 #include <optional>
@@ -64,7 +65,8 @@ struct TechniqueResult {
   ParameterValues parameters;
   std::optional<Failure> failure;
   std::optional<VisibilityError> error;
-  double clipped_share = 0.0;  // of scored pixels, beyond the error picture's scale
+  std::optional<Diagnosis> diagnosis;  // absent without `error`, and when a warning says why
+  double clipped_share = 0.0;          // of scored pixels, beyond the error picture's scale
   std::vector<PassTime> pass_times;
   std::string timer;
   std::string device;
@@ -74,6 +76,7 @@ struct TechniqueResult {
   std::string image_file;
   std::string picture_file;
   std::string error_picture_file;
+  std::string fault_picture_file;
 };
 
 struct SceneResult {

@@ -1,5 +1,8 @@
 #include "study/results_json.h"
 
+#include "study/diagnosis_json.h"
+#include "study/json_optional.h"
+
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -8,11 +11,6 @@ namespace umbrameter {
 namespace {
 
 using Json = nlohmann::json;
-
-template <class T>
-std::optional<T> read_optional(const Json& json) {
-  return json.is_null() ? std::nullopt : std::optional<T>(json.get<T>());
-}
 
 std::optional<Interval> read_interval(const Json& json) {
   if (json.is_null()) return std::nullopt;
@@ -93,6 +91,8 @@ TechniqueResult read_technique(const Json& json) {
   run.image_file = json.at("image_file");
   run.picture_file = json.at("picture_file");
   run.error_picture_file = json.at("error_picture_file");
+  run.fault_picture_file = json.at("fault_picture_file");
+  run.diagnosis = read_diagnosis(json);
   return run;
 }
 

@@ -1,16 +1,14 @@
 #include "study/results_json.h"
 
+#include "study/diagnosis_json.h"
+#include "study/json_optional.h"
+
 #include <nlohmann/json.hpp>
 
 namespace umbrameter {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-template <class T>
-Json optional_json(const std::optional<T>& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
 
 Json interval_json(const std::optional<Interval>& interval) {
   if (!interval) return nullptr;
@@ -79,23 +77,26 @@ Json times_json(const std::vector<PassTime>& times) {
 }
 
 Json technique_json(const TechniqueResult& run) {
-  return {{"label", run.label},
-          {"technique", run.technique},
-          {"title", run.title},
-          {"hash", run.hash},
-          {"parameters", parameters_json(run.parameters)},
-          {"failure", failure_json(run.failure)},
-          {"error", run.error ? error_json(*run.error) : Json(nullptr)},
-          {"clipped_share", run.clipped_share},
-          {"pass_times", times_json(run.pass_times)},
-          {"timer", run.timer},
-          {"device", run.device},
-          {"memory_bytes", run.memory_bytes},
-          {"wall_time_s", run.wall_time_s},
-          {"warnings", run.warnings},
-          {"image_file", run.image_file},
-          {"picture_file", run.picture_file},
-          {"error_picture_file", run.error_picture_file}};
+  Json json{{"label", run.label},
+            {"technique", run.technique},
+            {"title", run.title},
+            {"hash", run.hash},
+            {"parameters", parameters_json(run.parameters)},
+            {"failure", failure_json(run.failure)},
+            {"error", run.error ? error_json(*run.error) : Json(nullptr)},
+            {"clipped_share", run.clipped_share},
+            {"pass_times", times_json(run.pass_times)},
+            {"timer", run.timer},
+            {"device", run.device},
+            {"memory_bytes", run.memory_bytes},
+            {"wall_time_s", run.wall_time_s},
+            {"warnings", run.warnings},
+            {"image_file", run.image_file},
+            {"picture_file", run.picture_file},
+            {"error_picture_file", run.error_picture_file},
+            {"fault_picture_file", run.fault_picture_file}};
+  add_diagnosis(run.diagnosis, json);
+  return json;
 }
 
 Json reference_json(const std::optional<ReferenceResult>& reference) {
@@ -173,10 +174,13 @@ std::string to_json_text(const Score& score, const std::string& test_file,
   const ParityNumbers numbers = parity_numbers(score.parity, ParityTolerance{}.required_agreement);
   Json parity = parity_json(score.has_surfaces ? std::optional(numbers) : std::nullopt);
   if (!parity.is_null()) parity.erase("picture_file");
-  return dump({{"test", test_file},
-               {"reference", reference_file},
-               {"parity", parity},
-               {"error", score.error ? error_json(*score.error) : Json(nullptr)}});
+  Json json{{"test", test_file},
+            {"reference", reference_file},
+            {"parity", parity},
+            {"error", score.error ? error_json(*score.error) : Json(nullptr)}};
+  add_diagnosis(score.diagnosis, json);
+  json["no_diagnosis"] = failure_json(score.no_diagnosis);
+  return dump(json);
 }
 
 }  // namespace umbrameter

@@ -148,6 +148,14 @@ void score_technique(const SceneContext& context, const Image& reference, Techni
   const Picture picture = signed_error_picture(image, reference, score.mask);
   result.clipped_share = picture.clipped_share;
   save_picture(context, result.error_picture_file, picture);
+  result.diagnosis = score.diagnosis;
+  if (score.no_diagnosis) {
+    result.warnings.push_back("the faults could not be told apart: " + score.no_diagnosis->message);
+    return;
+  }
+  result.fault_picture_file = context.relative(stem + "-faults.png");
+  save_picture(context, result.fault_picture_file,
+               fault_picture(score.fault_classes, image.width, image.height));
 }
 
 }  // namespace umbrameter

@@ -1,6 +1,7 @@
 #include "study/score.h"
 
 #include "core/error.h"
+#include "study/guard.h"
 
 #include <fmt/ranges.h>
 
@@ -73,6 +74,11 @@ Score score_image(const Image& test, const Image& reference, const glm::dvec3& e
   if (!score.parity.passes) return score;
   score.mask = scored_mask(score.parity, reference);
   score.error = measure_visibility_error(test, reference, score.mask);
+  score.no_diagnosis = guarded([&] {
+    DiagnosedImage diagnosed = diagnose(test, reference, score.mask);
+    score.diagnosis = diagnosed.numbers;
+    score.fault_classes = std::move(diagnosed.classes);
+  });
   return score;
 }
 

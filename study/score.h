@@ -1,9 +1,10 @@
 #pragma once
-// Parity and visibility error of one image against the reference; what `validate` and `score` both ask.
+// Parity, visibility error and diagnosis of one image against the reference; what `validate` and `score` both ask.
 
 #include "core/image.h"
 #include "metrics/parity.h"
 #include "metrics/visibility_error.h"
+#include "study/results.h"
 
 #include <glm/vec3.hpp>
 
@@ -20,6 +21,9 @@ struct Score {
   Parity parity;  // without surfaces: the reference against itself, so it only finds the background
   std::vector<uint8_t> mask;  // scored pixels; empty when parity fails
   std::optional<VisibilityError> error;
+  std::optional<Diagnosis> diagnosis;
+  std::vector<FaultClass> fault_classes;  // [height][width]; empty without diagnosis
+  std::optional<Failure> no_diagnosis;    // why; `error` stands without it
 };
 
 /// The image with its visibility under that name. Accepts `visibility`, `Y`, a single channel of any name, or

@@ -31,6 +31,32 @@ Image reference_image() {
     image.add_plane(channel, 0.5f);
   image.add_plane("visibility_se");
   image.add_plane("sample_count", 64.0f);
+  image.add_plane("shading_normal.x");
+  image.add_plane("shading_normal.y", 1.0f);
+  image.add_plane("shading_normal.z");
+  image.add_plane("blocker_distance_min", 100.0f);  // far from contact
+  image.add_plane("blocker_layers", 1.0f);
+  return image;
+}
+
+Image shadowed_reference_image() {
+  Image image = reference_image();
+  for (const char* channel : {"visibility", "half_a", "half_b"}) {
+    auto plane = image.plane(channel);
+    for (size_t i = 0; i < plane.size(); ++i) plane[i] = i % kFakeWidth_px < 25 ? 0.0f : 1.0f;
+  }
+  return image;
+}
+
+Image leaking_image() {
+  Image image = floor_image();
+  auto visibility = image.add_plane("visibility");
+  for (size_t i = 0; i < visibility.size(); ++i) {
+    const size_t x = i % kFakeWidth_px;
+    const size_t y = i / kFakeWidth_px;
+    const bool is_slit = x >= 8 && x < 11 && y >= 5 && y < 25;
+    visibility[i] = is_slit || x >= 25 ? 1.0f : 0.0f;
+  }
   return image;
 }
 

@@ -18,6 +18,12 @@ Image floor_image();
 /// floor_image with everything the reference offers; visibility is 0.5 everywhere, without noise.
 Image reference_image();
 
+/// reference_image with a hard shadow of one far blocker in columns 1 to 24, full light elsewhere.
+Image shadowed_reference_image();
+
+/// shadowed_reference_image's surfaces and visibility, but for a lit slit of 3 x 20 px in the shadow.
+Image leaking_image();
+
 /// reference_image's surfaces with visibility 0.5 + `error` in the left half (columns 1 to 19), 0.5
 /// elsewhere.
 Image technique_image(float error);

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 namespace umbrameter {
 namespace {
 
@@ -53,6 +55,24 @@ TEST(VisibilityPicture, IsGreyInProportionToVisibility) {
 
 TEST(VisibilityPicture, ShowsTheBackgroundAsSuch) {
   EXPECT_EQ(pixel(visibility_picture(reference_image()), 0), kBackgroundColour);
+}
+
+TEST(FaultLegend, HasOneColourAClassInOrderAndNoneTwice) {
+  std::set<Rgb8> colours;
+  size_t index = 0;
+  for (const FaultLegend& entry : fault_legend()) {
+    EXPECT_EQ(static_cast<size_t>(entry.fault), index++);
+    colours.insert(entry.colour);
+  }
+  EXPECT_EQ(index, kFaultClasses);
+  EXPECT_EQ(colours.size(), kFaultClasses);
+}
+
+TEST(FaultPicture, ShowsEachPixelInTheColourOfItsClass) {
+  const std::vector<FaultClass> classes{FaultClass::unscored, FaultClass::acne, FaultClass::explained};
+  const Picture picture = fault_picture(classes, 3, 1);
+  for (size_t i = 0; i < classes.size(); ++i)
+    EXPECT_EQ(pixel(picture, i), fault_legend()[static_cast<size_t>(classes[i])].colour);
 }
 
 TEST(ParityLegend, HasOneColourAClassInOrder) {

@@ -61,6 +61,11 @@ std::pair<std::string, std::string> cell(const std::string& dom, const std::stri
                                                   : std::pair<std::string, std::string>();
 }
 
+double worst_part(const nlohmann::json& faults) {
+  const auto& worst = faults["worst"];
+  return worst.is_null() ? 0.0 : faults["classes"][worst.get<std::string>()]["mean_abs_error"].get<double>();
+}
+
 TEST_F(ReportBrowser, ShowsTheNumbersOfResultsJsonAndLogsNoError) {
   const ProcessResult result = open_page();
   ASSERT_EQ(result.exit_code, 0) << result.err;
@@ -77,13 +82,14 @@ TEST_F(ReportBrowser, ShowsTheNumbersOfResultsJsonAndLogsNoError) {
         {"over_shadowing", error["over_shadowing"]},
         {"under_shadowing", error["under_shadowing"]},
         {"penumbra_rmse", error["penumbra"]["rmse"]},
+        {"worst_fault", worst_part(run["faults"])},
         {"total_ms", run["pass_times"].back()["median_ms"]},
         {"memory_bytes", run["memory_bytes"]}};
     for (const auto& [column, value] : expected) {
       const auto [data, text] = cell(result.out, run["label"], column);
       ASSERT_FALSE(data.empty()) << run["label"] << " " << column;
       EXPECT_EQ(std::stod(data), value) << column;
-      if (column == "memory_bytes") continue;  // shown in MiB
+      if (column == "memory_bytes" || column == "worst_fault") continue;  // in MiB; after a word
       EXPECT_NEAR(std::stod(text), value, 0.5e-3) << column;
     }
   }

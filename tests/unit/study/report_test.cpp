@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "report/html.h"
+#include "study/pictures.h"
 #include "study/results_json.h"
 
 #include <gmock/gmock.h>
@@ -86,11 +87,13 @@ TEST_F(Report, ShowsEveryPictureWithItsContextAndSaysWhatIsMissing) {
   const std::string html = report_html(fake_results(folder_.path()), folder_.path());
   size_t pictures = 0;
   for (size_t at = html.find("<img "); at != std::string::npos; at = html.find("<img ", at + 1)) ++pictures;
-  EXPECT_EQ(pictures, 6u);  // reference, parity, and visibility and error of the two that ran
+  EXPECT_EQ(pictures, 8u);  // reference, parity, and visibility, error and faults of the two that ran
   EXPECT_THAT(html, HasSubstr("fit=visible radius_texels=2.5 taps=16"));
   EXPECT_THAT(html, HasSubstr("broken/resolve.frag:7:3: does not compile"));
   EXPECT_THAT(html, HasSubstr("plate, sun-only: does not support rect lights"));
   EXPECT_THAT(html, HasSubstr("-0.25 too dark"));
+  EXPECT_THAT(html, HasSubstr("<dt>contact hardening</dt><dd>not identifiable: 0 profiles"));
+  for (const FaultLegend& entry : fault_legend()) EXPECT_THAT(html, HasSubstr(escape_html(entry.text)));
 }
 
 TEST_F(Report, OfStoredResultsIsTheSameBytes) {

@@ -34,6 +34,54 @@ TEST(Results, SurviveJsonWithEveryBit) {
   EXPECT_EQ(back.scenes[0].techniques[2].failure->kind, ErrorKind::input);
 }
 
+TEST(Results, KeepTheDiagnosis) {
+  TechniqueResult run;
+  Diagnosis& diagnosis = run.diagnosis.emplace();
+  diagnosis.penumbra.outcomes = {8, 7, 6, 5, 4, 3, 2, 1};
+  diagnosis.penumbra.width_octaves = Spread{0.1, -0.2, 0.3, 0.15};
+  diagnosis.penumbra.offset_world = Spread{0.01, -0.02, 0.03, 0.02};
+  diagnosis.contact_hardening = {9, 2.5, 0.75, std::nullopt};
+  for (size_t k = 0; k < kFaultClasses; ++k) {
+    diagnosis.faults.by_class[k] = {10 + k, 20 + k, static_cast<double>(k) / 64.0};
+  }
+  diagnosis.faults.scored_pixels = 99;
+  diagnosis.faults.mean_abs_error = 0.5;
+  diagnosis.faults.peter_panning_gap_world = 0.25;
+  run.fault_picture_file = "faults.png";
+  Results results;
+  results.scenes.resize(1);
+  results.scenes[0].techniques.push_back(run);
+  const Results read = parse_results(to_json_text(results), "results.json");
+  EXPECT_EQ(read.scenes[0].techniques[0].fault_picture_file, "faults.png");
+  const Diagnosis& back = *read.scenes[0].techniques[0].diagnosis;
+  EXPECT_EQ(back.penumbra.outcomes, diagnosis.penumbra.outcomes);
+  EXPECT_EQ(back.penumbra.rejected(), 28u);  // 7 + 6 + ... + 1
+  EXPECT_EQ(back.penumbra.width_octaves->p5, -0.2);
+  EXPECT_EQ(back.penumbra.offset_world->p95, 0.03);
+  EXPECT_FALSE(back.penumbra.width_10_90_octaves);
+  EXPECT_EQ(back.contact_hardening.slope, 0.75);
+  EXPECT_FALSE(back.contact_hardening.intercept_octaves);
+  EXPECT_EQ(back.contact_hardening.octaves, 2.5);
+  for (size_t k = 0; k < kFaultClasses; ++k) {
+    EXPECT_EQ(back.faults.by_class[k].pixels, 10 + k);
+    EXPECT_EQ(back.faults.by_class[k].components, 20 + k);
+    EXPECT_EQ(back.faults.by_class[k].mean_abs_error, static_cast<double>(k) / 64.0);
+  }
+  EXPECT_EQ(back.faults.scored_pixels, 99u);
+  EXPECT_EQ(back.faults.mean_abs_error, 0.5);
+  EXPECT_EQ(back.faults.peter_panning_gap_world, 0.25);
+}
+
+TEST(Results, HaveNullWhereThereIsNoDiagnosis) {
+  const TemporaryFolder folder;
+  const auto json = nlohmann::json::parse(to_json_text(fake_results(folder.path())));
+  const auto& broken = json["scenes"][0]["techniques"][2];
+  for (const char* key : {"penumbra", "contact_hardening", "faults"}) {
+    ASSERT_TRUE(broken.contains(key)) << key;
+    EXPECT_TRUE(broken[key].is_null()) << key;
+  }
+}
+
 TEST(Results, CarryTheirContext) {
   const TemporaryFolder folder;
   const auto json = nlohmann::json::parse(to_json_text(fake_results(folder.path())));

@@ -1,0 +1,44 @@
+#include "study/diagnosis.h"
+
+#include <numeric>
+
+namespace umbrameter {
+namespace {
+
+bool is_fault(FaultClass fault) {
+  return fault != FaultClass::unscored && fault != FaultClass::explained && fault != FaultClass::penumbra;
+}
+
+}  // namespace
+
+size_t PenumbraNumbers::rejected() const {
+  return std::accumulate(outcomes.begin(), outcomes.end(), size_t{0}) - accepted();
+}
+
+std::optional<FaultClass> worst_fault(const FaultNumbers& faults) {
+  std::optional<FaultClass> worst;
+  double largest = 0.0;
+  for (size_t k = 0; k < kFaultClasses; ++k) {
+    const auto fault = static_cast<FaultClass>(k);
+    if (!is_fault(fault) || !(faults.by_class[k].mean_abs_error > largest)) continue;
+    largest = faults.by_class[k].mean_abs_error;
+    worst = fault;
+  }
+  return worst;
+}
+
+DiagnosedImage diagnose(const Image& test, const Image& reference, std::span<const uint8_t> mask) {
+  const PenumbraError penumbra = measure_penumbra(test, reference, mask);
+  const Envelope envelope = measure_envelope(test, reference, mask, penumbra.profiles);
+  Faults faults = classify_faults(test, reference, mask, penumbra.profiles, envelope);
+  DiagnosedImage out;
+  out.numbers.penumbra = {penumbra.outcomes, penumbra.width_octaves, penumbra.width_10_90_octaves,
+                          penumbra.offset_world};
+  out.numbers.contact_hardening = measure_contact_hardening(penumbra);
+  out.numbers.faults = {faults.scored_pixels, faults.by_class, faults.mean_abs_error,
+                        faults.peter_panning_gap_world};
+  out.classes = std::move(faults.classes);
+  return out;
+}
+
+}  // namespace umbrameter

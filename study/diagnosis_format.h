@@ -1,0 +1,29 @@
+#pragma once
+// A diagnosis as people read it; the terminal and the report show the same text.
+
+#include "study/diagnosis.h"
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace umbrameter {
+
+/// The fault's word for people: "geometric leak".
+std::string format_fault(FaultClass fault);
+
+/// "geometric leak 0.00310": the worst fault and its part of the mean absolute error; "none"; "n/a" when
+/// there is no diagnosis.
+std::string format_worst_fault(const std::optional<Diagnosis>& diagnosis);
+
+/// Terms and their texts.
+using TermLines = std::vector<std::pair<std::string, std::string>>;
+
+/// Width, offset, profiles and contact hardening.
+TermLines penumbra_lines(const Diagnosis& diagnosis);
+
+/// The worst fault, and every class that has pixels.
+TermLines fault_lines(const Diagnosis& diagnosis);
+
+}  // namespace umbrameter

@@ -1,0 +1,102 @@
+#include "study/diagnosis_json.h"
+
+#include "study/json_optional.h"
+
+#include <string>
+
+namespace umbrameter {
+namespace {
+
+using Json = nlohmann::json;
+using OrderedJson = nlohmann::ordered_json;
+
+OrderedJson spread_json(const std::optional<Spread>& spread) {
+  if (!spread) return nullptr;
+  return {{"median", spread->median}, {"p5", spread->p5}, {"p95", spread->p95}, {"rmse", spread->rmse}};
+}
+
+std::optional<Spread> read_spread(const Json& json) {
+  if (json.is_null()) return std::nullopt;
+  return Spread{json.at("median"), json.at("p5"), json.at("p95"), json.at("rmse")};
+}
+
+OrderedJson penumbra_json(const PenumbraNumbers& penumbra) {
+  OrderedJson outcomes = OrderedJson::object();
+  for (size_t k = 0; k < kProfileOutcomes; ++k) {
+    outcomes[std::string(name_of(static_cast<ProfileOutcome>(k)))] = penumbra.outcomes[k];
+  }
+  return {{"width_octaves", spread_json(penumbra.width_octaves)},
+          {"width_10_90_octaves", spread_json(penumbra.width_10_90_octaves)},
+          {"offset_world", spread_json(penumbra.offset_world)},
+          {"accepted", penumbra.accepted()},
+          {"rejected", penumbra.rejected()},
+          {"profiles", outcomes}};
+}
+
+PenumbraNumbers read_penumbra(const Json& json) {
+  PenumbraNumbers penumbra;
+  penumbra.width_octaves = read_spread(json.at("width_octaves"));
+  penumbra.width_10_90_octaves = read_spread(json.at("width_10_90_octaves"));
+  penumbra.offset_world = read_spread(json.at("offset_world"));
+  for (size_t k = 0; k < kProfileOutcomes; ++k) {
+    penumbra.outcomes[k] = json.at("profiles").at(std::string(name_of(static_cast<ProfileOutcome>(k))));
+  }
+  return penumbra;
+}
+
+OrderedJson hardening_json(const ContactHardening& hardening) {
+  return {{"identifiable", hardening.slope.has_value()},
+          {"slope", optional_json(hardening.slope)},
+          {"intercept_octaves", optional_json(hardening.intercept_octaves)},
+          {"profiles", hardening.profiles},
+          {"octaves", hardening.octaves}};
+}
+
+ContactHardening read_hardening(const Json& json) {
+  return {json.at("profiles"), json.at("octaves"), read_optional<double>(json.at("slope")),
+          read_optional<double>(json.at("intercept_octaves"))};
+}
+
+OrderedJson faults_json(const FaultNumbers& faults) {
+  OrderedJson classes = OrderedJson::object();
+  for (size_t k = 0; k < kFaultClasses; ++k) {
+    const FaultShare& share = faults.by_class[k];
+    classes[std::string(name_of(static_cast<FaultClass>(k)))] = {
+        {"pixels", share.pixels}, {"components", share.components}, {"mean_abs_error", share.mean_abs_error}};
+  }
+  const auto worst = worst_fault(faults);
+  return {{"worst", worst ? OrderedJson(name_of(*worst)) : OrderedJson(nullptr)},
+          {"scored_pixels", faults.scored_pixels},
+          {"mean_abs_error", optional_json(faults.mean_abs_error)},
+          {"peter_panning_gap_world", optional_json(faults.peter_panning_gap_world)},
+          {"classes", classes}};
+}
+
+FaultNumbers read_faults(const Json& json) {
+  FaultNumbers faults;
+  faults.scored_pixels = json.at("scored_pixels");
+  faults.mean_abs_error = read_optional<double>(json.at("mean_abs_error"));
+  faults.peter_panning_gap_world = read_optional<double>(json.at("peter_panning_gap_world"));
+  for (size_t k = 0; k < kFaultClasses; ++k) {
+    const Json& share = json.at("classes").at(std::string(name_of(static_cast<FaultClass>(k))));
+    faults.by_class[k] = {share.at("pixels"), share.at("components"), share.at("mean_abs_error")};
+  }
+  return faults;
+}
+
+}  // namespace
+
+void add_diagnosis(const std::optional<Diagnosis>& diagnosis, nlohmann::ordered_json& object) {
+  object["penumbra"] = diagnosis ? penumbra_json(diagnosis->penumbra) : OrderedJson(nullptr);
+  object["contact_hardening"] =
+      diagnosis ? hardening_json(diagnosis->contact_hardening) : OrderedJson(nullptr);
+  object["faults"] = diagnosis ? faults_json(diagnosis->faults) : OrderedJson(nullptr);
+}
+
+std::optional<Diagnosis> read_diagnosis(const nlohmann::json& object) {
+  if (object.at("penumbra").is_null()) return std::nullopt;
+  return Diagnosis{read_penumbra(object.at("penumbra")), read_hardening(object.at("contact_hardening")),
+                   read_faults(object.at("faults"))};
+}
+
+}  // namespace umbrameter
