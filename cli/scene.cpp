@@ -2,6 +2,7 @@
 
 #include "cli/console.h"
 #include "cli/home.h"
+#include "cli/quality.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -58,11 +59,53 @@ int check(const std::vector<std::string>& names, const GlobalOptions& global) {
   return kExitFine;
 }
 
+/// What `validate` with the same options would render, and what it would leave out.
+int plan(const std::vector<std::string>& names, const QualityOptions& options, const GlobalOptions& global) {
+  const Quality quality = choose_quality(options);
+  const Home home = find_home();
+  const SceneSearch search = scene_search(global, home);
+  const std::vector<TechniqueRun> techniques = all_techniques(home);
+  Json scenes = Json::array();
+  std::string text;
+  for (const std::string& name : names) {
+    const SceneJob job = load_scene_job(name, search);
+    const int64_t pixels = int64_t{quality.width_px} * quality.height_px;
+    const int64_t most_shadow_rays = pixels * quality.samples_per_pixel;
+    Json runs = Json::array();
+    Json skips = Json::array();
+    text += fmt::format(
+        "{}: {} x {} px, {} triangles, {} light '{}'; reference at most {:.1f} million shadow rays\n",
+        job.name, quality.width_px, quality.height_px, job.scene.triangles.size(),
+        to_text(job.scene.light().type), job.scene.light().name,
+        static_cast<double>(most_shadow_rays) * 1e-6);
+    for (const TechniqueRun& run : techniques) {
+      const auto reason = skip_reason(run, job.scene);
+      text += fmt::format("  {:<6}{}{}\n", reason ? "skip" : "run", run.label, reason ? ": " + *reason : "");
+      if (reason) skips.push_back({{"technique", run.label}, {"reason", *reason}});
+      if (!reason) runs.push_back(run.label);
+    }
+    scenes.push_back({{"name", job.name},
+                      {"hash", job.scene.hash},
+                      {"width_px", quality.width_px},
+                      {"height_px", quality.height_px},
+                      {"most_shadow_rays", most_shadow_rays},
+                      {"runs", runs},
+                      {"skips", skips}});
+  }
+  if (global.json) {
+    print_json({{"scenes", scenes}});
+  } else {
+    print_answer(text);
+  }
+  return kExitFine;
+}
+
 }  // namespace
 
 void add_scene(CLI::App& app, CommandLine& line) {
   auto names = std::make_shared<std::vector<std::string>>();
-  CLI::App* verb = app.add_subcommand("scene", "list the library or check scene files");
+  CLI::App* verb = app.add_subcommand(
+      "scene", "list the library, check scene files, or say what validate would do with them");
   verb->fallthrough();
   verb->require_subcommand(1);
   CLI::App* list_verb = verb->add_subcommand("list", "the scenes of the library");
@@ -72,6 +115,15 @@ void add_scene(CLI::App& app, CommandLine& line) {
   check_verb->fallthrough();
   check_verb->add_option("scene", *names, "library names or scene files")->required();
   check_verb->callback([names, &line] { line.verb = [names, &line] { return check(*names, line.global); }; });
+  auto quality = std::make_shared<QualityOptions>();
+  CLI::App* plan_verb =
+      verb->add_subcommand("plan", "what validate would render, and what it would skip and why");
+  plan_verb->fallthrough();
+  plan_verb->add_option("scene", *names, "library names or scene files")->required();
+  add_quality_options(*plan_verb, *quality);
+  plan_verb->callback([names, quality, &line] {
+    line.verb = [names, quality, &line] { return plan(*names, *quality, line.global); };
+  });
 }
 
 }  // namespace umbrameter

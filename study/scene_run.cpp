@@ -85,11 +85,9 @@ RenderRequest request_of(const ValidationPlan& plan) {
 
 std::vector<TechniqueFrame> render_techniques(const SceneContext& context, std::vector<Skip>& skipped) {
   std::vector<TechniqueFrame> frames;
-  const LightType light = context.job.scene.light().type;
   for (const TechniqueRun& run : context.plan.techniques) {
-    if (std::find(run.lights.begin(), run.lights.end(), light) == run.lights.end()) {
-      skipped.push_back(
-          {context.job.name, run.label, fmt::format("does not support {} lights", to_text(light))});
+    if (const auto reason = skip_reason(run, context.job.scene)) {
+      skipped.push_back({context.job.name, run.label, *reason});
       continue;
     }
     frames.push_back(render_technique(context, run));

@@ -53,6 +53,12 @@ SceneResult validate_scene(const SceneContext& context, std::vector<Skip>& skipp
 
 }  // namespace
 
+std::optional<std::string> skip_reason(const TechniqueRun& run, const Scene& scene) {
+  const LightType light = scene.light().type;
+  if (std::ranges::find(run.lights, light) != run.lights.end()) return std::nullopt;
+  return fmt::format("does not support {} lights", to_text(light));
+}
+
 Results run_validation(std::span<const SceneJob> scenes, const ValidationPlan& plan, Renderers renderers,
                        const std::filesystem::path& folder, Progress& progress, const SceneDone& scene_done) {
   Results results;

@@ -49,6 +49,9 @@ struct Renderers {
   Renderer& realtime;
 };
 
+/// Why `run` is left out of `scene`, if it is.
+std::optional<std::string> skip_reason(const TechniqueRun& run, const Scene& scene);
+
 /// Called after each scene, for a line on the terminal.
 using SceneDone = std::function<void(const SceneResult&)>;
 

@@ -49,6 +49,17 @@ TEST_F(Commands, ListsAreOneJsonObject) {
   for (const char* id : {"hard", "pcf", "pcss", "accumulate"}) EXPECT_THAT(ids, Contains(id));
 }
 
+TEST_F(Commands, APlanNamesWhatRunsAndWhatIsSkippedAndWhy) {
+  // accumulate renders from points of a flat light or the sun; fence has a sphere light.
+  const Json plan =
+      Json::parse(umbrameter({"scene", "plan", "fence", "--quality", "quick", "--json"}).out)["scenes"][0];
+  EXPECT_EQ(plan["most_shadow_rays"], 480 * 270 * 256);
+  EXPECT_THAT(std::vector<std::string>(plan["runs"]), Contains("pcss"));
+  ASSERT_EQ(plan["skips"].size(), 1u);
+  EXPECT_EQ(plan["skips"][0]["technique"], "accumulate");
+  EXPECT_EQ(plan["skips"][0]["reason"], "does not support sphere lights");
+}
+
 TEST_F(Commands, ShowPrintsEveryParameterWithItsRange) {
   const Json technique = Json::parse(umbrameter({"techniques", "show", "pcss", "--json"}).out);
   const std::string text = umbrameter({"techniques", "show", "pcss"}).out;
