@@ -7,12 +7,13 @@
 
 namespace umbrameter {
 
-ProcessResult CliTest::umbrameter(std::vector<std::string> arguments, ProcessOptions options) const {
-  arguments.insert(arguments.begin(), UMBRAMETER_BINARY);
+ProcessResult CliTest::umbrameter(const std::vector<std::string>& arguments, ProcessOptions options) const {
+  std::vector<std::string> command{UMBRAMETER_BINARY};
+  command.insert(command.end(), arguments.begin(), arguments.end());
   options.working_folder = folder();
   options.environment.insert(options.environment.begin(),
                              {{"UMBRAMETER_ASSETS", ""}, {"UMBRAMETER_HOME", ""}});
-  return run_process(arguments, options);
+  return run_process(command, options);
 }
 
 void CliTest::write(const std::string& name, std::string_view text) const {

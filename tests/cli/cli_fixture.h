@@ -16,7 +16,7 @@ namespace umbrameter {
 class CliTest : public testing::Test {
  protected:
   /// Arguments after the program's name; files are relative to folder().
-  ProcessResult umbrameter(std::vector<std::string> arguments, ProcessOptions options = {}) const;
+  ProcessResult umbrameter(const std::vector<std::string>& arguments, ProcessOptions options = {}) const;
   const std::filesystem::path& folder() const { return folder_.path(); }
   /// Writes `text` to `name` in folder().
   void write(const std::string& name, std::string_view text) const;

@@ -45,9 +45,13 @@ class Library : public CliTest {
  protected:
   void SetUp() override { require_gl(); }
 
-  Json validate(std::vector<std::string> arguments, const std::string& assets = {}) {
-    arguments.insert(arguments.begin(), {"validate", "--json"});
-    if (!assets.empty()) arguments.insert(arguments.end(), {"--assets", assets});
+  Json validate(const std::vector<std::string>& given, const std::string& assets = {}) {
+    std::vector<std::string> arguments{"validate", "--json"};
+    arguments.insert(arguments.end(), given.begin(), given.end());
+    if (!assets.empty()) {
+      arguments.push_back("--assets");
+      arguments.push_back(assets);
+    }
     ProcessOptions options;
     options.timeout_s = kPatience_s;
     const ProcessResult result = umbrameter(arguments, options);
