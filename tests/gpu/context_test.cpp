@@ -96,11 +96,10 @@ TEST_F(ContextTest, AContextMovesToAnotherThreadThatMakesItCurrent) {
   context().make_current();  // releases `other` from this thread
   GLuint id = 0;
   std::thread([&] {
-    other.make_current();
-    const VertexArray array = make_empty_vertex_array();
-    id = array.id();
+    GlContext moved(std::move(other));  // dies on this thread, after the array
+    moved.make_current();
+    id = make_empty_vertex_array().id();
     glFinish();
-    GlContext(std::move(other));
   }).join();
   EXPECT_NE(id, 0u);
 }
