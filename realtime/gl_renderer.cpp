@@ -70,6 +70,7 @@ struct Picture {
   GBuffer gbuffer;
   Image image;
   std::vector<ReceiverTile> receivers;
+  glm::dvec4 receiver_plane_world{0.0};
 };
 
 void require_support(const Technique& technique, const Light& light) {
@@ -136,25 +137,37 @@ class GlRenderer final : public Renderer {
     if (picture_ && picture_->key == key) return *picture_;
     picture_.reset();
     const SceneBuffers& buffers = buffers_of(scene);
-    Picture picture{
-        key, GBuffer(request.width_px, request.height_px), Image(request.width_px, request.height_px), {}};
+    Picture picture{key,
+                    GBuffer(request.width_px, request.height_px),
+                    Image(request.width_px, request.height_px),
+                    {},
+                    {}};
     gbuffer_renderer_.render(scene, buffers, picture.gbuffer);
     check_gl_errors("G-buffer");
     read_gbuffer(picture.gbuffer, picture.image);
     picture.receivers = receiver_tiles(picture.image);
+    picture.receiver_plane_world = receiver_plane(picture.image);
     picture_.emplace(std::move(picture));
     return *picture_;
   }
 
   void render_technique(const Scene& scene, const RenderRequest& request, Progress& progress, Frame& frame) {
-    const Technique technique =
+    const Technique declared =
         find_technique(request.technique, settings_.techniques_folder, settings_.shaders_folder);
-    require_support(technique, scene.light());
-    frame.parameters = resolve_parameters(technique, request.parameters);
+    require_support(declared, scene.light());
+    frame.parameters = resolve_parameters(declared, request.parameters);
+    const Technique technique = with_stages(declared, frame.parameters);
     const SceneBuffers& buffers = buffers_of(scene);
     const Picture& picture = picture_of(scene, request);
-    const RunInputs inputs{technique,       frame.parameters,  scene,        buffers,
-                           picture.gbuffer, picture.receivers, request.seed, settings_.shaders_folder};
+    const RunInputs inputs{technique,
+                           frame.parameters,
+                           scene,
+                           buffers,
+                           picture.gbuffer,
+                           picture.receivers,
+                           picture.receiver_plane_world,
+                           request.seed,
+                           settings_.shaders_folder};
     const Plan plan = make_plan(inputs, programs_);
     draw(plan, buffers, request, technique, progress, frame);
     frame.image = picture.image;
@@ -168,7 +181,7 @@ class GlRenderer final : public Renderer {
     const auto timed_frames = static_cast<uint64_t>(request.timed_frames);
     progress.begin(technique.id, plan.steps.size() * (1 + timed_frames));
     if (timed_frames == 0) {
-      draw_frame(plan, buffers, empty_vertex_array_, {nullptr, &progress});
+      draw_frame(plan, buffers, empty_vertex_array_, {.progress = &progress});
     } else {
       time_frames(plan, buffers, request.timed_frames, progress, frame);
     }
@@ -182,7 +195,8 @@ class GlRenderer final : public Renderer {
     PassTimers timers(*timer_, plan.labels);
     const auto draw_timed = [&](bool is_counted, Progress* watch) {
       timers.begin_frame(is_counted);
-      draw_frame(plan, buffers, empty_vertex_array_, {&timers, watch});
+      draw_frame(plan, buffers, empty_vertex_array_,
+                 {.timers = &timers, .is_first = watch != nullptr, .progress = watch});
       timers.end_frame();
     };
     const Clock::time_point start = Clock::now();

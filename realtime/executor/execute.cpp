@@ -27,11 +27,12 @@ void set_cull(const std::string& cull, bool mirrors) {
   glCullFace(cull == "back" ? GL_BACK : GL_FRONT);
 }
 
-void set_state(const PassState& state, bool mirrors) {
+void set_state(const PassDeclaration& pass, bool mirrors) {
   set_default_state();
-  set_blend(state.blend);
-  set_cull(state.cull, mirrors);
-  if (state.depth_clamp) glEnable(GL_DEPTH_CLAMP);
+  set_blend(pass.state.blend);
+  set_cull(pass.state.cull, mirrors);
+  if (pass.state.depth_clamp) glEnable(GL_DEPTH_CLAMP);
+  for (int i = 0; i < pass.state.clip_distances; ++i) glEnable(GL_CLIP_DISTANCE0 + static_cast<GLenum>(i));
 }
 
 /// Colours take the given values, the last one repeated. Depth takes the first one in a pass without colours
@@ -56,21 +57,37 @@ void clear_targets(const PreparedPass& pass, const std::vector<double>& values) 
   if (pass.has_depth) glClearNamedFramebufferfv(pass.framebuffer.id(), GL_DEPTH, 0, &depth);
 }
 
-void draw_step(const Plan& plan, const Step& step, const SceneBuffers& scene_buffers,
+/// The mean over each texel's samples.
+void resolve(const Resolve& targets) {
+  const int width = targets.to.width();
+  const int height = targets.to.height();
+  glBlitNamedFramebuffer(targets.from.id(), targets.to.id(), 0, 0, width, height, 0, 0, width, height,
+                         GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
+void draw_pass(const Plan& plan, const Step& step, const SceneBuffers& scene_buffers,
                const VertexArray& empty_vertex_array) {
   const PreparedPass& pass = plan.passes[step.pass];
-  const PassState& state = pass.declaration->state;
-  set_state(state, step.mirrors);
+  const PassDeclaration& declaration = *pass.declaration;
+  set_state(declaration, step.mirrors);
   pass.framebuffer.bind();
-  if (state.clear) clear_targets(pass, *state.clear);
+  if (declaration.state.clear) clear_targets(pass, *declaration.state.clear);
   pass.program->use();
-  for (const auto& [unit, target] : pass.textures) bind_texture(unit, *target->texture, target->sampler);
+  for (const BoundTexture& bound : pass.textures) bind_texture(bound.unit, *bound.texture, *bound.sampler);
   for (const UniformRange& range : step.uniforms) bind_range(plan.uniforms, range);
-  if (pass.declaration->kind == "scene") {
+  if (declaration.kind == "scene") {
     scene_buffers.draw();
   } else {
     draw_fullscreen(empty_vertex_array);
   }
+  for (const Resolve& targets : pass.resolves) resolve(targets);
+}
+
+void draw_step(const Plan& plan, const Step& step, const SceneBuffers& scene_buffers,
+               const VertexArray& empty_vertex_array) {
+  const PreparedPass& pass = plan.passes[step.pass];
+  if (pass.declaration->kind != "mipmap") draw_pass(plan, step, scene_buffers, empty_vertex_array);
+  for (const Texture* texture : pass.mipmaps) glGenerateTextureMipmap(texture->id());
 }
 
 /// GL runs behind the calls: waiting now and then keeps the progress honest.
@@ -86,15 +103,25 @@ void report_step(const Plan& plan, size_t step, Progress& progress) {
 void draw_frame(const Plan& plan, const SceneBuffers& scene_buffers, const VertexArray& empty_vertex_array,
                 const FrameWatch& watch) {
   for (const UniformRange& range : plan.frame_uniforms) bind_range(plan.uniforms, range);
-  const auto label = [&plan](size_t step) { return plan.passes[plan.steps[step].pass].label; };
+  if (watch.is_first) {
+    for (const Step& step : plan.steps) {
+      if (step.once) draw_step(plan, step, scene_buffers, empty_vertex_array);
+    }
+  }
+  constexpr size_t kNone = static_cast<size_t>(-1);
+  size_t running = kNone;
   for (size_t i = 0; i < plan.steps.size(); ++i) {
-    const bool starts = i == 0 || label(i - 1) != label(i);
-    const bool ends = i + 1 == plan.steps.size() || label(i + 1) != label(i);
-    if (watch.timers != nullptr && starts) watch.timers->begin(label(i));
+    if (plan.steps[i].once) continue;
+    const size_t label = plan.passes[plan.steps[i].pass].label;
+    if (watch.timers != nullptr && label != running) {
+      if (running != kNone) watch.timers->end();
+      watch.timers->begin(label);
+      running = label;
+    }
     draw_step(plan, plan.steps[i], scene_buffers, empty_vertex_array);
-    if (watch.timers != nullptr && ends) watch.timers->end();
     if (watch.progress != nullptr) report_step(plan, i, *watch.progress);
   }
+  if (running != kNone) watch.timers->end();
 }
 
 }  // namespace umbrameter

@@ -9,6 +9,7 @@ namespace umbrameter {
 
 struct FrameWatch {
   PassTimers* timers = nullptr;  // with the plan's labels: each run of equal labels is timed
+  bool is_first = true;          // the plan's first frame, which also draws what runs once
   Progress* progress =
       nullptr;  // one step per draw; the first frame of a plan, which also checks GL errors per pass
 };

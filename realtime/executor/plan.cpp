@@ -42,8 +42,9 @@ class Planner {
   }
 
   Plan make() {
-    const FrameData frame =
+    FrameData frame =
         make_frame_data(inputs_.scene, inputs_.gbuffer.width(), inputs_.gbuffer.height(), inputs_.seed);
+    frame.receiver_plane_world = glm::vec4(inputs_.receiver_plane_world);
     plan_.frame_uniforms.push_back(store_.add(kFrameBinding, &frame, sizeof(frame)));
     const std::vector<std::byte> parameters = parameter_block(inputs_.technique, inputs_.values);
     if (!parameters.empty()) {
@@ -90,7 +91,8 @@ class Planner {
           pass.where, "lower a loop's count");
     }
     Step step;
-    step.pass = prepared_index(pass);
+    step.pass = prepared_index(pass, write_level(pass));
+    step.once = pass.once;
     add_loop_block(step);
     GLuint binding = kFirstViewBinding;
     for (const std::string& name : pass_views(pass)) {
@@ -120,23 +122,36 @@ class Planner {
     return range;
   }
 
-  size_t prepared_index(const PassDeclaration& pass) {
-    const auto found = std::ranges::find(plan_.passes, &pass, &PreparedPass::declaration);
+  int write_level(const PassDeclaration& pass) const {
+    constexpr int64_t kMaxLevel = 32;
+    if (pass.write_level.text.empty()) return 0;
+    return static_cast<int>(whole_number(pass.write_level, variables_, 0, kMaxLevel,
+                                         fmt::format("write_level of pass '{}'", pass.id)));
+  }
+
+  size_t prepared_index(const PassDeclaration& pass, int level) {
+    const auto found = std::ranges::find_if(plan_.passes, [&](const PreparedPass& prepared) {
+      return prepared.declaration == &pass && prepared.write_level == level;
+    });
     if (found != plan_.passes.end()) return static_cast<size_t>(found - plan_.passes.begin());
-    plan_.passes.push_back(prepare(pass));
+    plan_.passes.push_back(prepare(pass, level));
     return plan_.passes.size() - 1;
   }
 
-  PreparedPass prepare(const PassDeclaration& pass) {
+  PreparedPass prepare(const PassDeclaration& pass, int level) {
     std::vector<std::string> loop_variables;
     for (const Loop& loop : loops_) loop_variables.push_back(loop.variable);
-    PreparedPass prepared = prepare_pass(pass, inputs_, *plan_.targets, loop_variables, programs_);
-    for (const std::string& warning : prepared.program->warnings()) {
+    PreparedPass prepared = prepare_pass(pass, level, inputs_, *plan_.targets, loop_variables, programs_);
+    if (prepared.program) add_warnings(*prepared.program);
+    if (!pass.once) prepared.label = label_index(pass.timer.empty() ? pass.id : pass.timer);
+    return prepared;
+  }
+
+  void add_warnings(const Program& program) {
+    for (const std::string& warning : program.warnings()) {
       if (std::ranges::find(plan_.warnings, warning) == plan_.warnings.end())
         plan_.warnings.push_back(warning);
     }
-    prepared.label = label_index(pass.timer.empty() ? pass.id : pass.timer);
-    return prepared;
   }
 
   size_t label_index(const std::string& label) {

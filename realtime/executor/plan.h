@@ -19,7 +19,8 @@ struct UniformRange {
 };
 
 struct Step {
-  size_t pass = 0;  // in Plan::passes
+  size_t pass = 0;    // in Plan::passes
+  bool once = false;  // in the first frame only, untimed
   std::vector<UniformRange> uniforms;
   bool mirrors = false;
 };

@@ -24,6 +24,8 @@ std::string defines(const Technique& technique, const ParameterValues& values) {
       const double value = numeric_value(parameter, values.at(parameter.name));
       text += fmt::format("#define {} {}\n", macro, glsl_literal(parameter, value));
     }
+    if (is_switched_to_uniform(values, parameter.name))
+      text += fmt::format("#define {} {}\n", macro, parameter.name);
     for (size_t k = 0; k < parameter.choices.size(); ++k) {
       text += fmt::format("#define {}_{} {}\n", macro, macro_name(parameter.choices[k]), k);
     }

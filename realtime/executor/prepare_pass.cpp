@@ -3,43 +3,71 @@
 #include "realtime/executor/prelude.h"
 #include "realtime/manifest/names.h"
 
+#include <algorithm>
+#include <array>
+
 namespace umbrameter {
 namespace {
 
-const Texture& written_texture(const PassDeclaration& pass, const std::string& name, const Targets& targets) {
+const Target& written_target(const PassDeclaration& pass, const std::string& name, const Targets& targets) {
   const Target* target = targets.find(name);
-  if (target != nullptr) return *target->texture;
+  if (target != nullptr) return *target;
   fail_input(fmt::format("pass '{}' writes '{}', whose condition does not hold", pass.id, name), pass.where,
              "give the pass the same condition");
 }
 
-void require_equal_sizes(const PassDeclaration& pass, const Targets& targets) {
-  const Texture& first = written_texture(pass, pass.writes.front(), targets);
+void require_equal_shapes(const PassDeclaration& pass, int level, const Targets& targets) {
+  const Texture& first = written_target(pass, pass.writes.front(), targets).drawn();
+  const auto shape = [](const Texture& texture) {
+    return fmt::format("{}x{} with {} samples", texture.width(), texture.height(), texture.samples());
+  };
   for (const std::string& name : pass.writes) {
-    const Texture& texture = written_texture(pass, name, targets);
-    if (texture.width() == first.width() && texture.height() == first.height()) continue;
-    fail_input(fmt::format("pass '{}' writes targets of different size: '{}' is {}x{}, '{}' {}x{}", pass.id,
-                           pass.writes.front(), first.width(), first.height(), name, texture.width(),
-                           texture.height()),
+    const Texture& texture = written_target(pass, name, targets).drawn();
+    if (level >= texture.levels()) {
+      fail_input(fmt::format("pass '{}' writes level {} of '{}', which has {}", pass.id, level, name,
+                             texture.levels()),
+                 pass.where, "give the resource more 'levels'");
+    }
+    if (shape(texture) == shape(first)) continue;
+    fail_input(fmt::format("pass '{}' writes targets of different size: '{}' is {}, '{}' {}", pass.id,
+                           pass.writes.front(), shape(first), name, shape(texture)),
                pass.where);
   }
 }
 
 void attach_targets(PreparedPass& prepared, const PassDeclaration& pass, const Targets& targets) {
-  require_equal_sizes(pass, targets);
+  require_equal_shapes(pass, prepared.write_level, targets);
   std::vector<const Texture*> colors;
   const Texture* depth = nullptr;
   for (const std::string& name : pass.writes) {
-    const Texture& texture = written_texture(pass, name, targets);
-    if (texture.format().is_depth) {
-      depth = &texture;
-    } else {
-      colors.push_back(&texture);
-      prepared.color_formats.push_back(&texture.format());
+    const Target& target = written_target(pass, name, targets);
+    if (target.drawn().format().is_depth) {
+      depth = &target.drawn();
+      continue;
     }
+    colors.push_back(&target.drawn());
+    prepared.color_formats.push_back(&target.drawn().format());
+    if (target.multisampled == nullptr) continue;
+    const std::array<const Texture*, 1> from = {target.multisampled};
+    const std::array<const Texture*, 1> to = {target.texture};
+    prepared.resolves.push_back({Framebuffer(from, nullptr), Framebuffer(to, nullptr)});
   }
   prepared.has_depth = depth != nullptr;
-  prepared.framebuffer = Framebuffer(colors, depth);
+  prepared.framebuffer = Framebuffer(colors, depth, prepared.write_level);
+}
+
+/// What a pass reads and writes it sees one level below the one it writes.
+const Texture* read_texture_of(PreparedPass& prepared, const PassDeclaration& pass, const std::string& name,
+                               const Target& target) {
+  if (target.texture->samples() > 1)
+    fail_input(fmt::format("pass '{}' reads '{}', a multisampled depth", pass.id, name), pass.where);
+  if (std::ranges::find(pass.writes, name) == pass.writes.end()) return target.texture;
+  if (prepared.write_level == 0)
+    fail_input(fmt::format("pass '{}' reads '{}' below level 0", pass.id, name), pass.where,
+               "begin with write_level 1");
+  prepared.level_views.push_back(
+      std::make_unique<Texture>(Texture::view_of_level(*target.texture, prepared.write_level - 1)));
+  return prepared.level_views.back().get();
 }
 
 std::shared_ptr<const Program> compile(const PassDeclaration& pass, const RunInputs& inputs,
@@ -65,14 +93,24 @@ std::shared_ptr<const Program> compile(const PassDeclaration& pass, const RunInp
 
 }  // namespace
 
-PreparedPass prepare_pass(const PassDeclaration& pass, const RunInputs& inputs, const Targets& targets,
-                          std::span<const std::string> loop_variables, ProgramCache& programs) {
+PreparedPass prepare_pass(const PassDeclaration& pass, int write_level, const RunInputs& inputs,
+                          const Targets& targets, std::span<const std::string> loop_variables,
+                          ProgramCache& programs) {
   PreparedPass prepared;
   prepared.declaration = &pass;
+  prepared.write_level = write_level;
+  if (pass.kind == "mipmap") {
+    for (const std::string& name : pass.writes)
+      prepared.mipmaps.push_back(written_target(pass, name, targets).texture);
+    return prepared;
+  }
   attach_targets(prepared, pass, targets);
   for (size_t unit = 0; unit < pass.reads.size(); ++unit) {
     const Target* target = targets.find(pass.reads[unit]);
-    if (target != nullptr) prepared.textures.emplace_back(static_cast<GLuint>(unit), target);
+    if (target == nullptr) continue;
+    prepared.textures.push_back({static_cast<GLuint>(unit),
+                                 read_texture_of(prepared, pass, pass.reads[unit], *target),
+                                 &target->sampler});
   }
   prepared.program = compile(pass, inputs, targets, loop_variables, programs);
   return prepared;

@@ -7,25 +7,42 @@
 #include <memory>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace umbrameter {
 
-/// A pass with everything that is the same in all its iterations.
+/// A texture as a pass binds it.
+struct BoundTexture {
+  GLuint unit = 0;
+  const Texture* texture = nullptr;
+  const Sampler* sampler = nullptr;
+};
+
+/// A multisampled target and the texture that takes its mean.
+struct Resolve {
+  Framebuffer from, to;
+};
+
+/// A pass with everything that is the same in all its iterations that write the same level.
 struct PreparedPass {
   const PassDeclaration* declaration = nullptr;
+  int write_level = 0;
   std::shared_ptr<const Program> program;
   Framebuffer framebuffer;
   std::vector<const TextureFormat*> color_formats;
   bool has_depth = false;
-  std::vector<std::pair<GLuint, const Target*>> textures;  // by unit
-  size_t label = 0;                                        // in Plan::labels
+  std::vector<BoundTexture> textures;
+  std::vector<std::unique_ptr<Texture>> level_views;  // of textures that are written too
+  std::vector<Resolve> resolves;                      // after drawing
+  std::vector<const Texture*> mipmaps;                // textures whose further levels a mipmap pass makes
+  size_t label = 0;                                   // in Plan::labels
 };
 
 /// `loop_variables`: of the loops around the pass, outermost first. Leaves `label` at 0. Error{input} for
-/// targets that are left out or differ in size, and for shaders that do not compile.
-PreparedPass prepare_pass(const PassDeclaration& pass, const RunInputs& inputs, const Targets& targets,
-                          std::span<const std::string> loop_variables, ProgramCache& programs);
+/// targets that are left out or differ in size, for levels they do not have, and for shaders that do not
+/// compile.
+PreparedPass prepare_pass(const PassDeclaration& pass, int write_level, const RunInputs& inputs,
+                          const Targets& targets, std::span<const std::string> loop_variables,
+                          ProgramCache& programs);
 
 }  // namespace umbrameter

@@ -1,25 +1,34 @@
 #include "realtime/executor/receivers.h"
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
+#include <map>
 
 namespace umbrameter {
 namespace {
 
 /// Read access to the receivers of a G-buffer image.
 struct Receivers {
-  std::span<const float> x, y, z, id, irradiance;
+  std::span<const float> x, y, z, id, nx, ny, nz, irradiance;
 
   explicit Receivers(const Image& image)
       : x(image.plane("position.x")),
         y(image.plane("position.y")),
         z(image.plane("position.z")),
         id(image.plane("primitive_id")),
+        nx(image.plane("normal.x")),
+        ny(image.plane("normal.y")),
+        nz(image.plane("normal.z")),
         irradiance(image.plane("unshadowed_irradiance")) {}
   bool is_receiver(size_t pixel) const { return id[pixel] >= 0.0f && irradiance[pixel] > 0.0f; }
   glm::vec3 p_world(size_t pixel) const { return {x[pixel], y[pixel], z[pixel]}; }
+  glm::dvec3 n_world(size_t pixel) const { return {nx[pixel], ny[pixel], nz[pixel]}; }
 };
 
 bool is_outside(const LightView& view, const glm::dvec3& p_world) {
@@ -61,6 +70,40 @@ double share_outside(const Image& gbuffer, const LightView& view) {
     if (is_outside(view, glm::dvec3(receivers.p_world(pixel)))) ++outside;
   }
   return count == 0 ? 0.0 : static_cast<double>(outside) / static_cast<double>(count);
+}
+
+glm::dvec4 receiver_plane(const Image& gbuffer) {
+  constexpr double kNormalStep = 1e-3;
+  constexpr double kOffsetShare = 1e-4;  // of the receivers' largest coordinate
+  const Receivers receivers(gbuffer);
+  double scale = 0.0;
+  for (size_t pixel = 0; pixel < gbuffer.pixel_count(); ++pixel) {
+    if (!receivers.is_receiver(pixel)) continue;
+    for (const float value : {receivers.x[pixel], receivers.y[pixel], receivers.z[pixel]})
+      scale = std::max(scale, std::abs(static_cast<double>(value)));
+  }
+  struct Votes {
+    size_t count = 0;
+    glm::dvec4 sum{0.0};
+  };
+  std::map<std::array<int64_t, 4>, Votes> planes;
+  for (size_t pixel = 0; pixel < gbuffer.pixel_count(); ++pixel) {
+    if (!receivers.is_receiver(pixel)) continue;
+    const glm::dvec3 n = receivers.n_world(pixel);
+    const double offset = -glm::dot(n, glm::dvec3(receivers.p_world(pixel)));
+    const auto cell = [](double value, double step) {
+      return static_cast<int64_t>(std::llround(value / step));
+    };
+    Votes& votes = planes[{cell(n.x, kNormalStep), cell(n.y, kNormalStep), cell(n.z, kNormalStep),
+                           cell(offset, kOffsetShare * std::max(scale, 1e-30))}];
+    votes.count += 1;
+    votes.sum += glm::dvec4(n, offset);
+  }
+  if (planes.empty()) return {0, 1, 0, 0};
+  const auto most =
+      std::ranges::max_element(planes, {}, [](const auto& entry) { return entry.second.count; });
+  const glm::dvec4 mean = most->second.sum / static_cast<double>(most->second.count);
+  return mean / glm::length(glm::dvec3(mean));
 }
 
 }  // namespace umbrameter

@@ -17,4 +17,8 @@ std::vector<ReceiverTile> receiver_tiles(const Image& gbuffer);
 /// Share of the receivers that lie outside what `view` covers, in [0,1]; 0 without receivers.
 double share_outside(const Image& gbuffer, const LightView& view);
 
+/// The plane on which most receivers lie, coplanar triangles taken together: unit normal as the G-buffer has it (towards
+/// the camera) and w with n . p + w = 0. (0, 1, 0, 0) without receivers.
+glm::dvec4 receiver_plane(const Image& gbuffer);
+
 }  // namespace umbrameter

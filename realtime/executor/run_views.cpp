@@ -2,6 +2,7 @@
 
 #include "core/sampling/sobol.h"
 #include "realtime/harness/frame_uniforms.h"
+#include "realtime/views/camera_tiles.h"
 
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
@@ -17,7 +18,9 @@ constexpr int64_t kCenter = -1;
 LightFit chosen_fit(const ViewDeclaration& declaration, const ParameterValues& values) {
   const auto parameter = values.find(declaration.fit);
   const std::string fit = parameter == values.end() ? declaration.fit : to_text(parameter->second);
-  return fit == "scene" ? LightFit::scene : LightFit::visible;
+  const auto found = std::ranges::find(light_fits(), fit);
+  UMBRAMETER_ASSERT(found != light_fits().end(), "fit {}", fit);
+  return static_cast<LightFit>(found - light_fits().begin());
 }
 
 /// Clip space is left-handed as seen (x right, y up, depth away), so a view mirrors unless its rotation and
@@ -50,18 +53,27 @@ const FittedView& RunViews::get(const std::string& name, const ExpressionVariabl
   const auto key = std::tuple(name, sample, texels);
   const auto found = fitted_.find(key);
   if (found != fitted_.end()) return found->second;
-  return fitted_.emplace(key, fit(*declaration, sample, texels)).first->second;
+  const bool snaps = holds(declaration->snap, variables, declaration->where) && !declaration->snap.empty();
+  return fitted_.emplace(key, fit(*declaration, sample, texels, snaps)).first->second;
 }
 
-FittedView RunViews::fit(const ViewDeclaration& declaration, int64_t sample, int texels_a_side) const {
+std::span<const ReceiverTile> RunViews::covered(LightFit fit) {
+  if (fit != LightFit::frustum && fit != LightFit::full) return inputs_.receivers;
+  if (camera_tiles_.empty())
+    camera_tiles_ = camera_tiles(inputs_.scene, inputs_.gbuffer.width(), inputs_.gbuffer.height());
+  return camera_tiles_;
+}
+
+FittedView RunViews::fit(const ViewDeclaration& declaration, int64_t sample, int texels_a_side, bool snaps) {
   const LightFit chosen = chosen_fit(declaration, inputs_.values);
   FittedView fitted;
   if (sample == kCenter) {
-    fitted.view = fit_center_view(inputs_.scene, inputs_.receivers, chosen);
+    fitted.view = fit_center_view(inputs_.scene, covered(chosen), chosen);
   } else {
     const glm::vec2 uv = scrambled_sobol(static_cast<uint32_t>(sample), sample_seed_);
-    fitted.view = fit_sample_view(inputs_.scene, inputs_.receivers, chosen, glm::dvec2(uv));
+    fitted.view = fit_sample_view(inputs_.scene, covered(chosen), chosen, glm::dvec2(uv));
   }
+  if (snaps) fitted.view = snapped(fitted.view, texels_a_side);
   fitted.data = make_light_view_data(fitted.view, texels_a_side);
   fitted.mirrors = reverses_winding(fitted.view);
   return fitted;

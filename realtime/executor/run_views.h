@@ -27,9 +27,11 @@ class RunViews {
   std::optional<LightView> center() const;
 
  private:
-  FittedView fit(const ViewDeclaration& declaration, int64_t sample, int texels_a_side) const;
+  FittedView fit(const ViewDeclaration& declaration, int64_t sample, int texels_a_side, bool snaps);
+  std::span<const ReceiverTile> covered(LightFit fit);
 
   const RunInputs& inputs_;
+  std::vector<ReceiverTile> camera_tiles_;
   uint32_t sample_seed_;
   std::map<std::tuple<std::string, int64_t, int>, FittedView>
       fitted_;  // by name, sample (-1: centre), texels

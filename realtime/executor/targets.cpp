@@ -14,6 +14,15 @@ glm::vec4 border_color(const std::vector<double>& border) {
   return color;
 }
 
+/// A count that is 1 unless said.
+int count(const ResourceDeclaration& resource, const ExpressionText& expression,
+          const ExpressionVariables& variables, std::string_view which) {
+  constexpr int64_t kMost = 64;
+  if (expression.text.empty()) return 1;
+  const auto what = fmt::format("{} of resource '{}'", which, resource.name);
+  return static_cast<int>(whole_number(expression, variables, 1, kMost, what));
+}
+
 int side(const ResourceDeclaration& resource, const ExpressionText& expression,
          const ExpressionVariables& variables, std::string_view which) {
   const auto what = fmt::format("{} of resource '{}'", which, resource.name);
@@ -27,7 +36,7 @@ Targets::Targets(const RunInputs& inputs, const ExpressionVariables& variables)
     : visibility_(find_texture_format("r32f"), inputs.gbuffer.width(), inputs.gbuffer.height(),
                   std::string(kVisibility)) {
   const auto add_screen = [this](const std::string& name, const Texture& texture) {
-    targets_[name] = {&texture, Sampler({.linear = false, .wrap = "clamp"})};
+    targets_[name] = {&texture, Sampler({.linear = false, .wrap = "clamp"}), nullptr};
   };
   add_screen(std::string(kVisibility), visibility_);
   add_screen("gbuffer.position", inputs.gbuffer.position);
@@ -43,13 +52,25 @@ void Targets::add_resource(const ResourceDeclaration& resource, const Expression
   const TextureFormat& format = find_texture_format(resource.format, resource.where);
   const int width = side(resource, resource.width, variables, "width");
   const int height = side(resource, resource.height, variables, "height");
-  const auto [owned, is_new] =
-      owned_.emplace(resource.name, Texture(format, width, height, resource.name, resource.width.where));
-  UMBRAMETER_ASSERT(is_new, "resource {}", resource.name);
-  targets_[resource.name] = {&owned->second, Sampler({.linear = resource.filter == "linear",
-                                                      .wrap = resource.wrap,
-                                                      .border = border_color(resource.border),
-                                                      .compare = resource.compare})};
+  const int levels = count(resource, resource.levels, variables, "levels");
+  const int samples = count(resource, resource.samples, variables, "samples");
+  const FileLocation& where = resource.width.where;
+  const auto make = [&](auto& textures, const TextureShape& shape) {
+    Texture texture(format, width, height, resource.name, where, shape);
+    return &textures.insert_or_assign(resource.name, std::move(texture)).first->second;
+  };
+  Target target;
+  if (samples > 1) target.multisampled = make(multisampled_, {.levels = levels, .samples = samples});
+  const bool is_resolved = samples == 1 || !format.is_depth;  // several depths have no mean
+  target.texture = is_resolved ? make(owned_, {.levels = levels}) : target.multisampled;
+  target.sampler = Sampler(
+      {.linear = resource.filter != "nearest",
+       .mipmap = resource.filter == "mipmap",
+       .anisotropy = static_cast<double>(count(resource, resource.anisotropy, variables, "anisotropy")),
+       .wrap = resource.wrap,
+       .border = border_color(resource.border),
+       .compare = resource.compare});
+  targets_[resource.name] = std::move(target);
 }
 
 const Target* Targets::find(const std::string& name) const {
@@ -59,7 +80,9 @@ const Target* Targets::find(const std::string& name) const {
 
 size_t Targets::declared_bytes() const {
   size_t bytes = 0;
-  for (const auto& [name, texture] : owned_) bytes += texture.bytes();
+  for (const auto* textures : {&owned_, &multisampled_}) {
+    for (const auto& [name, texture] : *textures) bytes += texture.bytes();
+  }
   return bytes;
 }
 

@@ -8,10 +8,12 @@
 
 namespace umbrameter {
 
-/// A texture with the sampler it is read through.
+/// A texture with the sampler it is read through. A multisampled one is drawn into and then resolved into `texture`.
 struct Target {
   const Texture* texture = nullptr;
   Sampler sampler;
+  const Texture* multisampled = nullptr;
+  const Texture& drawn() const { return multisampled != nullptr ? *multisampled : *texture; }
 };
 
 class Targets {
@@ -30,6 +32,7 @@ class Targets {
 
   Texture visibility_;
   std::map<std::string, Texture, std::less<>> owned_;
+  std::map<std::string, Texture, std::less<>> multisampled_;
   std::map<std::string, Target, std::less<>> targets_;
 };
 

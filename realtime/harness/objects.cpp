@@ -70,11 +70,14 @@ Sampler::Sampler(const SamplerSettings& settings) {
   const auto set = [id](GLenum name, GLenum value) {
     glSamplerParameteri(id, name, static_cast<GLint>(value));
   };
-  set(GL_TEXTURE_MIN_FILTER, settings.linear ? GL_LINEAR : GL_NEAREST);
+  const GLenum flat = settings.linear ? GL_LINEAR : GL_NEAREST;
+  set(GL_TEXTURE_MIN_FILTER, settings.mipmap ? GL_LINEAR_MIPMAP_LINEAR : flat);
   set(GL_TEXTURE_MAG_FILTER, settings.linear ? GL_LINEAR : GL_NEAREST);
   set(GL_TEXTURE_WRAP_S, wrap_mode(settings.wrap));
   set(GL_TEXTURE_WRAP_T, wrap_mode(settings.wrap));
   glSamplerParameterfv(id, GL_TEXTURE_BORDER_COLOR, &settings.border.x);
+  if (settings.anisotropy > 1.0)
+    glSamplerParameterf(id, GL_TEXTURE_MAX_ANISOTROPY_EXT, static_cast<float>(settings.anisotropy));
   if (!settings.compare) return;
   set(GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
   set(GL_TEXTURE_COMPARE_FUNC, GL_GEQUAL);
@@ -85,20 +88,20 @@ void bind_texture(GLuint unit, const Texture& texture, const Sampler& sampler) {
   glBindSampler(unit, sampler.id());
 }
 
-Framebuffer::Framebuffer(std::span<const Texture* const> colors, const Texture* depth) {
+Framebuffer::Framebuffer(std::span<const Texture* const> colors, const Texture* depth, int level) {
   UMBRAMETER_ASSERT(!colors.empty() || depth != nullptr, "{} attachments", colors.size());
   const Texture& first = colors.empty() ? *depth : *colors.front();
-  width_ = first.width();
-  height_ = first.height();
+  width_ = level_side(first.width(), level);
+  height_ = level_side(first.height(), level);
   GLuint id = 0;
   glCreateFramebuffers(1, &id);
   handle_ = GlHandle<destroy_framebuffer>(id);
   std::vector<GLenum> draw_buffers;
   for (const Texture* color : colors) {
-    UMBRAMETER_ASSERT(color->width() == width_ && color->height() == height_, "{}x{} beside {}x{}",
-                      color->width(), color->height(), width_, height_);
+    UMBRAMETER_ASSERT(color->width() == first.width() && color->height() == first.height(),
+                      "{}x{} beside {}x{}", color->width(), color->height(), first.width(), first.height());
     const GLenum attachment = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(draw_buffers.size());
-    glNamedFramebufferTexture(id, attachment, color->id(), 0);
+    glNamedFramebufferTexture(id, attachment, color->id(), level);
     draw_buffers.push_back(attachment);
   }
   if (draw_buffers.empty()) {
@@ -106,7 +109,7 @@ Framebuffer::Framebuffer(std::span<const Texture* const> colors, const Texture* 
   } else {
     glNamedFramebufferDrawBuffers(id, static_cast<GLsizei>(draw_buffers.size()), draw_buffers.data());
   }
-  if (depth != nullptr) glNamedFramebufferTexture(id, GL_DEPTH_ATTACHMENT, depth->id(), 0);
+  if (depth != nullptr) glNamedFramebufferTexture(id, GL_DEPTH_ATTACHMENT, depth->id(), level);
   const GLenum status = glCheckNamedFramebufferStatus(id, GL_DRAW_FRAMEBUFFER);
   UMBRAMETER_ASSERT(status == GL_FRAMEBUFFER_COMPLETE, "framebuffer status 0x{:x}", status);
 }

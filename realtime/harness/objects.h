@@ -62,19 +62,30 @@ std::span<const TextureFormat> texture_formats();
 /// Error{input} at `where` with a spelling hint when there is no such format.
 const TextureFormat& find_texture_format(std::string_view name, const FileLocation& where = {});
 
-/// A 2D texture of one level, contents undefined until written.
+/// What a texture may have beyond its size.
+struct TextureShape {
+  int levels = 1;
+  int samples = 1;  // above 1: multisampled, not to be read by shaders
+};
+
+/// A 2D texture, contents undefined until written.
 class Texture {
  public:
   Texture() = default;
   /// Error{input} at `where`, naming `name`, when a side is below 1 or above GL_MAX_TEXTURE_SIZE;
   /// Error{environment} when the GPU is out of memory.
   Texture(const TextureFormat& format, int width, int height, const std::string& name = {},
-          const FileLocation& where = {});
+          const FileLocation& where = {}, const TextureShape& shape = {});
+  /// One level of `texture` as a texture of its own; shares its memory and must not outlive it.
+  static Texture view_of_level(const Texture& texture, int level);
 
   GLuint id() const { return handle_.id(); }
   const TextureFormat& format() const { return *format_; }
   int width() const { return width_; }
   int height() const { return height_; }
+  int levels() const { return shape_.levels; }
+  int samples() const { return shape_.samples; }
+  /// Of all levels and samples.
   size_t bytes() const;
 
  private:
@@ -82,13 +93,21 @@ class Texture {
   const TextureFormat* format_ = nullptr;
   int width_ = 0;
   int height_ = 0;
+  TextureShape shape_;
 };
+
+/// A side of level `level` of a texture whose level 0 has `side` texels.
+int level_side(int side, int level);
+/// Levels of a full chain down to one texel.
+int full_chain_levels(int width, int height);
 
 /// Sets every texel; values beyond `value.size()` repeat its last one.
 void clear_texture(const Texture& texture, std::span<const double> value);
 
 struct SamplerSettings {
   bool linear = false;
+  bool mipmap = false;               // linear between levels too
+  double anisotropy = 1.0;           // samples along the longer axis, at most
   std::string_view wrap = "border";  // border | clamp | repeat
   glm::vec4 border{0.0f};
   bool compare = false;  // GL_GEQUAL: receiver depth >= stored depth (reversed) gives 1
@@ -133,7 +152,8 @@ class Framebuffer {
  public:
   Framebuffer() = default;
   /// Colour attachment k = colors[k]; `depth` may be null. All of one size. Error{internal} when incomplete.
-  Framebuffer(std::span<const Texture* const> colors, const Texture* depth);
+  /// Draws into `level` of each.
+  Framebuffer(std::span<const Texture* const> colors, const Texture* depth, int level = 0);
   /// Binds it for drawing and sets the viewport to its size.
   void bind() const;
   GLuint id() const { return handle_.id(); }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <vector>
 
 namespace umbrameter {
@@ -32,7 +33,30 @@ void require_size(int width, int height, const std::string& name, const FileLoca
              fmt::format("this device takes 1 to {} a side", limit));
 }
 
+void require_shape(int width, int height, const TextureShape& shape, const std::string& name,
+                   const FileLocation& where) {
+  GLint max_samples = 0;
+  glGetIntegerv(GL_MAX_SAMPLES, &max_samples);
+  if (shape.samples < 1 || shape.samples > max_samples) {
+    fail_input(fmt::format("texture '{}' with {} samples a texel is not possible", name, shape.samples),
+               where, fmt::format("this device takes 1 to {}", max_samples));
+  }
+  const int most = shape.samples > 1 ? 1 : full_chain_levels(width, height);
+  if (shape.levels >= 1 && shape.levels <= most) return;
+  fail_input(fmt::format("texture '{}' of {} x {} texels and {} samples cannot have {} levels", name, width,
+                         height, shape.samples, shape.levels),
+             where, fmt::format("1 to {}", most));
+}
+
 }  // namespace
+
+int level_side(int side, int level) {
+  return std::max(side >> level, 1);
+}
+
+int full_chain_levels(int width, int height) {
+  return static_cast<int>(std::bit_width(static_cast<unsigned>(std::max(width, height))));
+}
 
 std::span<const TextureFormat> texture_formats() {
   return kFormats;
@@ -48,20 +72,43 @@ const TextureFormat& find_texture_format(std::string_view name, const FileLocati
 }
 
 Texture::Texture(const TextureFormat& format, int width, int height, const std::string& name,
-                 const FileLocation& where)
-    : format_(&format), width_(width), height_(height) {
+                 const FileLocation& where, const TextureShape& shape)
+    : format_(&format), width_(width), height_(height), shape_(shape) {
   require_size(width, height, name, where);
+  require_shape(width, height, shape, name, where);
   GLuint id = 0;
-  glCreateTextures(GL_TEXTURE_2D, 1, &id);
+  glCreateTextures(shape.samples > 1 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D, 1, &id);
   handle_ = GlHandle<destroy_texture>(id);
-  glTextureStorage2D(id, 1, format.internal_format, width, height);
+  if (shape.samples > 1) {
+    glTextureStorage2DMultisample(id, shape.samples, format.internal_format, width, height, GL_TRUE);
+  } else {
+    glTextureStorage2D(id, shape.levels, format.internal_format, width, height);
+  }
   require_gl_memory(name.empty() ? "a texture" : fmt::format("texture '{}'", name), bytes());
 }
 
 size_t Texture::bytes() const {
   if (format_ == nullptr) return 0;
-  return static_cast<size_t>(width_) * static_cast<size_t>(height_) *
-         static_cast<size_t>(format_->bytes_per_texel);
+  size_t texels = 0;
+  for (int level = 0; level < shape_.levels; ++level) {
+    texels +=
+        static_cast<size_t>(level_side(width_, level)) * static_cast<size_t>(level_side(height_, level));
+  }
+  return texels * static_cast<size_t>(shape_.samples) * static_cast<size_t>(format_->bytes_per_texel);
+}
+
+Texture Texture::view_of_level(const Texture& texture, int level) {
+  UMBRAMETER_ASSERT(level >= 0 && level < texture.levels(), "level {} of {}", level, texture.levels());
+  Texture view;
+  GLuint id = 0;
+  glGenTextures(1, &id);  // a view takes a name that no target has claimed
+  view.handle_ = GlHandle<destroy_texture>(id);
+  glTextureView(id, GL_TEXTURE_2D, texture.id(), texture.format().internal_format, static_cast<GLuint>(level),
+                1, 0, 1);
+  view.format_ = &texture.format();
+  view.width_ = level_side(texture.width(), level);
+  view.height_ = level_side(texture.height(), level);
+  return view;
 }
 
 void clear_texture(const Texture& texture, std::span<const double> value) {

@@ -96,6 +96,7 @@ class PassChecker {
       }
       check_used_views(pass, loop_variables);
       check_reads(pass);
+      if (pass.once) check_once(pass);
       check_writes(pass);
     }
   }
@@ -144,14 +145,32 @@ class PassChecker {
              suggest_name(name, known_reads_));
       }
       if (!reads.insert(name).second) fail(pass, fmt::format("reads '{}' twice", name));
-      if (std::ranges::find(pass.writes, name) != pass.writes.end())
-        fail(pass, fmt::format("reads and writes '{}'", name));
+      if (std::ranges::find(pass.writes, name) != pass.writes.end() && pass.write_level.text.empty())
+        fail(pass, fmt::format("reads and writes '{}'", name), "only with 'write_level'");
       const bool is_builtin = std::ranges::find(builtin_reads(), name) != builtin_reads().end();
       if (!is_builtin && !written_.contains(name)) {
         fail(pass, fmt::format("reads '{}', which no earlier pass writes", name));
       }
       read_.insert(name);
     }
+  }
+
+  /// What runs once may depend on parameters only.
+  void check_once(const PassDeclaration& pass) {
+    if (!pass.view.empty() || !pass.views.empty() || pass.kind == "scene")
+      fail(pass, "runs once but depends on the scene", "leave out 'once'");
+    for (const std::string& name : pass.reads) {
+      if (!written_once_.contains(name))
+        fail(pass, fmt::format("runs once but reads '{}', which changes", name), "leave out 'once'");
+    }
+    written_once_.insert(pass.writes.begin(), pass.writes.end());
+  }
+
+  void check_mipmap(const PassDeclaration& pass, const std::string& name) const {
+    if (name == kVisibility || !written_.contains(name))
+      fail(pass, fmt::format("makes the levels of '{}' before level 0 is written", name));
+    if (formats_.at(name)->is_depth || formats_.at(name)->is_integer)
+      fail(pass, fmt::format("cannot average '{}'", name), "colour formats only");
   }
 
   void check_writes(const PassDeclaration& pass) {
@@ -165,12 +184,15 @@ class PassChecker {
         fail(pass, fmt::format("writes '{}', which is no resource", name), suggest_name(name, known_writes_));
       }
       if (!writes.insert(name).second) fail(pass, fmt::format("writes '{}' twice", name));
+      if (pass.kind == "mipmap") {
+        check_mipmap(pass, name);
+        continue;
+      }
       (formats_.at(name)->is_depth ? depths : colors) += 1;
       check_contents(pass, name);
     }
     if (depths > 1) fail(pass, "writes more than one depth resource");
     if (colors > kMaxColors) fail(pass, fmt::format("writes more than {} colour resources", kMaxColors));
-    if (depths > 0 && pass.kind == "fullscreen") fail(pass, "writes depth, which only scene passes can");
     if (colors > 0 && pass.fragment.empty()) fail(pass, "writes colour without a 'fragment' shader");
     for (const std::string& name : pass.writes) {
       written_.insert(name);
@@ -214,7 +236,7 @@ class PassChecker {
   std::map<std::string, const TextureFormat*, std::less<>> formats_;
   std::vector<std::string> known_reads_;
   std::vector<std::string> known_writes_;
-  NameSet ids_, written_, read_, used_views_;
+  NameSet ids_, written_, written_once_, read_, used_views_;
   NameSet depth_for_colors_;  // depth resources that only serve the depth test of a pass with colours
 };
 

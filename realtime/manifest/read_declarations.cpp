@@ -1,4 +1,5 @@
 #include "realtime/manifest/manifest_parts.h"
+#include "realtime/views/light_view.h"
 
 #include <algorithm>
 #include <array>
@@ -6,9 +7,9 @@
 namespace umbrameter {
 namespace {
 
-const std::array<std::string, 2> kFilters = {"nearest", "linear"};
+const std::array<std::string, 3> kFilters = {"nearest", "linear", "mipmap"};
 const std::array<std::string, 3> kWraps = {"border", "clamp", "repeat"};
-const std::array<std::string, 3> kPassKinds = {"scene", "fullscreen", "loop"};
+const std::array<std::string, 4> kPassKinds = {"scene", "fullscreen", "mipmap", "loop"};
 const std::array<std::string, 3> kCulls = {"none", "back", "front"};
 const std::array<std::string, 4> kBlends = {"none", "add", "min", "max"};
 
@@ -23,21 +24,22 @@ ExpressionText sample_expression(const std::string& from, const FileLocation& wh
   return {from.substr(kPrefix.size(), from.size() - kPrefix.size() - 1), where};
 }
 
-/// A fit is `visible`, `scene` or a choice parameter with those choices.
+/// A fit is one of light_fits() or a choice parameter among them.
 void check_fit(Manifest& manifest, const TomlReader& reader, const std::string& fit) {
-  if (fit == "visible" || fit == "scene") return;
+  const Names known(light_fits().begin(), light_fits().end());
+  const auto is_fit = [&](const std::string& name) { return std::ranges::find(known, name) != known.end(); };
+  if (is_fit(fit)) return;
   for (const Parameter& parameter : manifest.technique.parameters) {
     if (parameter.name != fit) continue;
-    const auto is_fit = [](const std::string& choice) { return choice == "visible" || choice == "scene"; };
     if (parameter.type == ParameterType::choice && std::ranges::all_of(parameter.choices, is_fit)) {
       manifest.expression_names.insert(fit);
       return;
     }
     reader.fail("fit", fmt::format("parameter '{}' cannot be a fit", fit),
-                "it must be a choice of 'visible' and 'scene'");
+                fmt::format("it must be a choice among {}", fmt::join(known, ", ")));
   }
   reader.fail("fit", fmt::format("unknown fit '{}'", fit),
-              "visible, scene or the name of a choice parameter");
+              fmt::format("{} or the name of a choice parameter", fmt::join(known, ", ")));
 }
 
 PassState read_state(TomlReader& reader) {
@@ -46,6 +48,12 @@ PassState read_state(TomlReader& reader) {
   state.blend = kBlends[reader.choice("blend", kBlends, 0)];
   if (reader.has("clear")) state.clear = read_numbers(reader, "clear");
   state.depth_clamp = reader.boolean("depth_clamp", true);
+  constexpr int64_t kMaxClipDistances = 8;  // the least a GL offers
+  const int64_t clip_distances = reader.integer("clip_distances", 0);
+  if (clip_distances < 0 || clip_distances > kMaxClipDistances)
+    reader.fail("clip_distances", fmt::format("{} clip distances are not possible", clip_distances),
+                "0 to 8");
+  state.clip_distances = static_cast<int>(clip_distances);
   return state;
 }
 
@@ -62,7 +70,7 @@ void read_loop(Manifest& manifest, TomlReader& reader, PassDeclaration& pass, Na
   if (pass.body.empty()) reader.fail("kind", "a loop needs at least one [[pass.pass]]");
 }
 
-void read_drawing(TomlReader& reader, PassDeclaration& pass) {
+void read_drawing(Manifest& manifest, TomlReader& reader, PassDeclaration& pass, const Names& scope) {
   if (pass.kind == "scene") {
     pass.view = reader.text("view", "");
     pass.vertex = reader.text("vertex", "");
@@ -77,6 +85,10 @@ void read_drawing(TomlReader& reader, PassDeclaration& pass) {
   pass.writes = reader.texts("writes");
   pass.views = reader.texts("views");
   pass.state = read_state(reader);
+  pass.write_level = read_expression(manifest, reader, "write_level", scope);
+  pass.once = reader.boolean("once", false);
+  if (pass.once && reader.has("timer"))
+    reader.fail("timer", "a pass that runs once is not timed", "leave out 'timer'");
   pass.timer = reader.text("timer", "");
 }
 
@@ -90,6 +102,9 @@ ResourceDeclaration read_resource(Manifest& manifest, const TomlNode& table, con
   resource.format = reader.text("format");
   resource.width = require_expression(manifest, reader, "width", scope);
   resource.height = require_expression(manifest, reader, "height", scope);
+  resource.levels = read_expression(manifest, reader, "levels", scope);
+  resource.samples = read_expression(manifest, reader, "samples", scope);
+  resource.anisotropy = read_expression(manifest, reader, "anisotropy", scope);
   resource.filter = kFilters[reader.choice("filter", kFilters, 0)];
   resource.wrap = kWraps[reader.choice("wrap", kWraps, 0)];
   if (reader.has("border")) resource.border = read_numbers(reader, "border");
@@ -109,6 +124,7 @@ ViewDeclaration read_view(Manifest& manifest, const TomlNode& table, const Names
   if (view.from != "light.center") check_expression(manifest, view.sample, scope);
   view.fit = reader.text("fit", view.fit);
   check_fit(manifest, reader, view.fit);
+  view.snap = read_expression(manifest, reader, "snap", scope).text;
   view.size = require_expression(manifest, reader, "size", scope).text;
   reader.finish();
   return view;
@@ -123,8 +139,11 @@ PassDeclaration read_pass(Manifest& manifest, const TomlNode& table, const Names
   pass.condition = read_expression(manifest, reader, "condition", scope).text;
   if (pass.kind == "loop") {
     read_loop(manifest, reader, pass, scope, depth);
+  } else if (pass.kind == "mipmap") {
+    pass.writes = reader.texts("writes");
+    pass.timer = reader.text("timer", "");
   } else {
-    read_drawing(reader, pass);
+    read_drawing(manifest, reader, pass, scope);
   }
   reader.finish();
   return pass;

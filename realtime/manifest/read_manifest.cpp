@@ -37,29 +37,38 @@ void add_parameters(Technique& technique, TomlReader& reader) {
   }
 }
 
-void add_parameter_groups(Manifest& manifest, TomlReader& reader,
-                          const std::filesystem::path& shared_folder) {
-  for (const std::string& group : reader.texts("parameter_groups")) {
-    const std::filesystem::path file = shared_folder / (group + ".toml");
-    if (!std::filesystem::is_regular_file(file)) {
-      Names known;
-      if (std::filesystem::is_directory(shared_folder)) {
-        for (const auto& entry : std::filesystem::directory_iterator(shared_folder)) {
-          if (entry.path().extension() == ".toml") known.push_back(entry.path().stem().string());
-        }
-      }
-      std::ranges::sort(known);
-      reader.fail("parameter_groups", fmt::format("unknown parameter group '{}'", group),
-                  suggest_name(group, known));
+/// The manifest and what it includes, each file after those it includes itself.
+struct Documents {
+  std::vector<TomlNode> nodes;
+  std::vector<std::filesystem::path> files;
+};
+
+[[noreturn]] void fail_include(const TomlReader& reader, const std::string& name,
+                               const std::filesystem::path& shared_folder) {
+  Names known;
+  if (std::filesystem::is_directory(shared_folder)) {
+    for (const auto& entry : std::filesystem::directory_iterator(shared_folder)) {
+      if (entry.path().extension() == ".toml") known.push_back(entry.path().stem().string());
     }
-    if (std::ranges::find(manifest.files, file) != manifest.files.end())
-      reader.fail("parameter_groups", fmt::format("parameter group '{}' comes in a second time", group));
-    manifest.files.push_back(file);
-    const TomlNode document = parse_toml_file(file);
-    TomlReader group_reader(document, "the parameter group");
-    add_parameter_groups(manifest, group_reader, shared_folder);  // a group may begin with others
-    add_parameters(manifest.technique, group_reader);
-    group_reader.finish();
+  }
+  std::ranges::sort(known);
+  reader.fail("include", fmt::format("there is no shared manifest '{}'", name), suggest_name(name, known));
+}
+
+void add_included(Documents& documents, TomlReader& reader, const std::filesystem::path& shared_folder) {
+  for (const std::string& name : reader.texts("include")) {
+    const std::filesystem::path file = shared_folder / (name + ".toml");
+    if (!std::filesystem::is_regular_file(file)) fail_include(reader, name, shared_folder);
+    if (std::ranges::find(documents.files, file) != documents.files.end())
+      reader.fail("include", fmt::format("'{}' comes in a second time", name));
+    documents.files.push_back(file);
+    TomlNode document = parse_toml_file(file);
+    TomlReader included(document, "the shared manifest");
+    add_included(documents, included, shared_folder);
+    for (const std::string_view key : {"parameter", "constraints", "resource", "pass", "view"})
+      included.find(std::string(key));
+    included.finish();
+    documents.nodes.push_back(std::move(document));
   }
 }
 
@@ -122,26 +131,37 @@ Manifest read_manifest(const std::filesystem::path& folder, const std::filesyste
   const TomlNode document = parse_toml_file(file);
   TomlReader reader(document, "the manifest");
   Manifest manifest;
-  manifest.files.push_back(file);
   Technique& technique = manifest.technique;
   technique.folder = folder;
   read_header(technique, reader);
-  add_parameter_groups(manifest, reader, shared_folder);
-  add_parameters(technique, reader);
+  Documents documents;
+  add_included(documents, reader, shared_folder);
+  manifest.files = documents.files;
+  manifest.files.push_back(file);
+  std::vector<TomlReader> readers;
+  for (const TomlNode& included : documents.nodes) readers.emplace_back(included, "the shared manifest");
+  const auto for_all = [&](const auto& read) {
+    for (TomlReader& included : readers) read(included);
+    read(reader);
+  };
 
+  for_all([&](TomlReader& source) { add_parameters(technique, source); });
   Names scope = parameter_names(technique);
-  read_constraints(manifest, reader, scope);
+  for_all([&](TomlReader& source) { read_constraints(manifest, source, scope); });
   scope.insert(scope.end(), builtin_variables().begin(), builtin_variables().end());
-  for (const TomlNode* table : reader.tables("resource")) {
-    technique.resources.push_back(read_resource(manifest, *table, scope));
-  }
-  for (const TomlNode* table : reader.tables("pass")) {
-    technique.passes.push_back(read_pass(manifest, *table, scope, 0));
-  }
+  for_all([&](TomlReader& source) {
+    for (const TomlNode* table : source.tables("resource"))
+      technique.resources.push_back(read_resource(manifest, *table, scope));
+  });
+  for_all([&](TomlReader& source) {
+    for (const TomlNode* table : source.tables("pass"))
+      technique.passes.push_back(read_pass(manifest, *table, scope, 0));
+  });
   collect_loop_variables(technique.passes, scope);
-  for (const TomlNode* table : reader.tables("view")) {
-    technique.views.push_back(read_view(manifest, *table, scope));
-  }
+  for_all([&](TomlReader& source) {
+    for (const TomlNode* table : source.tables("view"))
+      technique.views.push_back(read_view(manifest, *table, scope));
+  });
   for (const TomlNode* table : reader.tables("preset"))
     technique.presets.push_back(read_preset(technique, *table));
   reader.finish();

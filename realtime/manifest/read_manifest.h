@@ -15,7 +15,7 @@ struct Manifest {
   Technique technique;
   std::vector<ExpressionText> constraints;              // technique.constraints with their places
   std::set<std::string, std::less<>> expression_names;  // every name that an expression, or a fit, uses
-  std::vector<std::filesystem::path> files;             // the manifest and its parameter groups
+  std::vector<std::filesystem::path> files;             // the manifest and what it includes
 };
 
 Manifest read_manifest(const std::filesystem::path& folder, const std::filesystem::path& shared_folder);

@@ -16,6 +16,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kManifestName = "technique.toml";
 constexpr std::string_view kPresetParameter = "preset";
+constexpr std::string_view kStagePrefix = "stage.";
 
 /// Of names and texts, never of absolute places, so that a copied folder keeps its hash.
 std::string hash_files(const Manifest& manifest, const ShaderFiles& shaders) {
@@ -105,6 +106,10 @@ ParameterValues resolve_parameters(const Technique& technique, const ParameterVa
   }
   for (const auto& [name, value] : overrides) {
     if (name == kPresetParameter) continue;
+    if (name.starts_with(kStagePrefix)) {
+      values[name] = value;
+      continue;
+    }
     // Through its text: a caller may hold 4 where the parameter is real.
     const Parameter& parameter = find_parameter(technique.parameters, name, technique.id);
     values[name] = parse_parameter_value(parameter, to_text(value));
@@ -114,6 +119,31 @@ ParameterValues resolve_parameters(const Technique& technique, const ParameterVa
                      "the parameters");
   }
   return values;
+}
+
+Technique with_stages(Technique technique, const ParameterValues& values) {
+  for (const auto& [name, value] : values) {
+    if (!name.starts_with(kStagePrefix)) continue;
+    const Parameter& declared =
+        find_parameter(technique.parameters, name.substr(kStagePrefix.size()), technique.id);
+    const std::string stage = to_text(value);
+    if (stage != "uniform" && stage != "define")
+      fail_input(fmt::format("'{} = {}' is no stage to switch to", name, stage), {}, "define or uniform");
+    const bool is_number = declared.type == ParameterType::integer || declared.type == ParameterType::real;
+    if (declared.stage != ParameterStage::define || !is_number) {
+      fail_input(fmt::format("the stage of parameter '{}' of technique '{}' cannot be switched",
+                             declared.name, technique.id),
+                 declared.where, "only numbers with stage = \"define\" can");
+    }
+    const auto index = static_cast<size_t>(&declared - technique.parameters.data());
+    if (stage == "uniform") technique.parameters[index].stage = ParameterStage::uniform;
+  }
+  return technique;
+}
+
+bool is_switched_to_uniform(const ParameterValues& values, const std::string& parameter) {
+  const auto found = values.find(std::string(kStagePrefix) + parameter);
+  return found != values.end() && to_text(found->second) == "uniform";
 }
 
 }  // namespace umbrameter

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -95,10 +96,27 @@ LateralBounds limited(LateralBounds bounds) {
   return bounds;
 }
 
-std::vector<ReceiverTile> tiles_to_cover(const Scene& scene, std::span<const ReceiverTile> receivers,
+ReceiverTile scene_box(const Scene& scene) {
+  return {glm::vec3(scene.bounds_world.min), glm::vec3(scene.bounds_world.max)};
+}
+
+/// The box of the scene's bounding sphere.
+ReceiverTile sphere_box(const Scene& scene) {
+  const glm::dvec3 middle = 0.5 * (scene.bounds_world.min + scene.bounds_world.max);
+  const double radius = 0.5 * scene.bounds_world.diagonal();
+  return {glm::vec3(middle - radius), glm::vec3(middle + radius)};
+}
+
+std::vector<ReceiverTile> tiles_to_cover(const Scene& scene, std::span<const ReceiverTile> covered,
                                          LightFit fit) {
-  if (fit == LightFit::visible && !receivers.empty()) return {receivers.begin(), receivers.end()};
-  return {{glm::vec3(scene.bounds_world.min), glm::vec3(scene.bounds_world.max)}};
+  if (fit == LightFit::none) return {sphere_box(scene)};
+  if (fit == LightFit::scene || covered.empty()) return {scene_box(scene)};
+  return {covered.begin(), covered.end()};
+}
+
+/// Whether the map is fitted laterally only, as simple engines do.
+bool keeps_scene_range(LightFit fit) {
+  return fit == LightFit::none || fit == LightFit::frustum;
 }
 
 /// Bounds of everything in front of the light; a unit square one unit ahead when nothing is.
@@ -112,10 +130,25 @@ glm::dvec2 light_half_extent(const Light& light) {
   return light.type == LightType::rect ? 0.5 * light.size_world : glm::dvec2(light.radius_world);
 }
 
+/// Lateral bounds as they are, at the scene's range of distances.
+LightView fit_scene_range(const Scene& scene, const LightFrame& frame, const LateralBounds& lateral,
+                          bool is_orthographic) {
+  const glm::dmat4 from_world = light_from_world(frame);
+  const ReceiverTile box = scene_box(scene);
+  const LateralBounds all =
+      is_orthographic ? bound_orthographic(from_world, {&box, 1}) : bound_perspective(from_world, {&box, 1});
+  const double scale = is_orthographic ? std::max(scene.bounds_world.diagonal(), 1e-30) : all.far;
+  const double far = all.far + kMinimumExtent * scale;
+  const double near =
+      is_orthographic ? all.near - kMinimumExtent * scale : std::max(all.near, kNearShare * far);
+  return make_view(frame, lateral, near, far, is_orthographic);
+}
+
 LightView fit_perspective_center(const Scene& scene, const LightFrame& frame,
-                                 std::span<const ReceiverTile> tiles) {
+                                 std::span<const ReceiverTile> tiles, LightFit fit) {
   const glm::dmat4 from_world = light_from_world(frame);
   const LateralBounds receivers = perspective_bounds(from_world, tiles);
+  if (keeps_scene_range(fit)) return fit_scene_range(scene, frame, receivers, false);
   const double far = receivers.far * (1.0 + kMinimumExtent);
   const double floor = kNearShare * far;
 
@@ -135,16 +168,17 @@ LightView fit_perspective_center(const Scene& scene, const LightFrame& frame,
 LightFrame sun_frame(const Scene& scene, const glm::dvec3& direction, const glm::dvec3& tangent) {
   const glm::dvec3 middle = 0.5 * (scene.bounds_world.min + scene.bounds_world.max);
   LightFrame frame = frame_along(middle, direction, tangent);
-  const ReceiverTile all{glm::vec3(scene.bounds_world.min), glm::vec3(scene.bounds_world.max)};
+  const ReceiverTile all = scene_box(scene);
   frame.origin_world += frame.z_world * bound_orthographic(light_from_world(frame), {&all, 1}).near;
   return frame;
 }
 
 LightView fit_sun(const Scene& scene, std::span<const ReceiverTile> tiles, const LightFrame& frame,
-                  double tan_half_angle) {
+                  double tan_half_angle, LightFit fit) {
   const glm::dmat4 from_world = light_from_world(frame);
   const double scale = std::max(scene.bounds_world.diagonal(), 1e-30);
   const LateralBounds receivers = with_rim(bound_orthographic(from_world, tiles), scale);
+  if (keeps_scene_range(fit)) return fit_scene_range(scene, frame, receivers, true);
   const double far = receivers.far + kMinimumExtent * scale;
   if (tan_half_angle <= 0.0) return make_view(frame, receivers, -kMinimumExtent * scale, far, true);
 
@@ -186,27 +220,28 @@ glm::dvec3 axis_towards(const std::vector<glm::dvec3>& directions, const glm::dv
 
 }  // namespace
 
-LightView fit_center_view(const Scene& scene, std::span<const ReceiverTile> receivers, LightFit fit) {
+LightView fit_center_view(const Scene& scene, std::span<const ReceiverTile> covered, LightFit fit) {
   const Light& light = scene.light();
-  const std::vector<ReceiverTile> tiles = tiles_to_cover(scene, receivers, fit);
+  const std::vector<ReceiverTile> tiles = tiles_to_cover(scene, covered, fit);
   if (light.type == LightType::sun) {
     const LightFrame frame = sun_frame(scene, light.direction_world, light.tangent_world);
-    return fit_sun(scene, tiles, frame, std::tan(light.half_angle_rad));
+    return fit_sun(scene, tiles, frame, std::tan(light.half_angle_rad), fit);
   }
   if (light.type == LightType::sphere) {
     const glm::dvec3 axis = axis_towards(directions_to(tiles, light.center_world), light.direction_world);
-    return fit_perspective_center(scene, frame_along(light.center_world, axis, light.tangent_world), tiles);
+    return fit_perspective_center(scene, frame_along(light.center_world, axis, light.tangent_world), tiles,
+                                  fit);
   }
-  return fit_perspective_center(scene, frame_of_light(light, light.center_world), tiles);
+  return fit_perspective_center(scene, frame_of_light(light, light.center_world), tiles, fit);
 }
 
-LightView fit_sample_view(const Scene& scene, std::span<const ReceiverTile> receivers, LightFit fit,
+LightView fit_sample_view(const Scene& scene, std::span<const ReceiverTile> covered, LightFit fit,
                           const glm::dvec2& light_uv) {
   const Light& light = scene.light();
-  const std::vector<ReceiverTile> tiles = tiles_to_cover(scene, receivers, fit);
+  const std::vector<ReceiverTile> tiles = tiles_to_cover(scene, covered, fit);
   const glm::dvec3 point = light_point(light, light_uv);
   if (light.type == LightType::sun) {
-    return fit_sun(scene, tiles, sun_frame(scene, -point, light.tangent_world), 0.0);
+    return fit_sun(scene, tiles, sun_frame(scene, -point, light.tangent_world), 0.0, fit);
   }
   // Casters in front of the near plane still cast: scene passes clamp depth. So the box is enough here, and a
   // loop over thousands of samples stays cheap.
@@ -214,6 +249,31 @@ LightView fit_sample_view(const Scene& scene, std::span<const ReceiverTile> rece
   const LateralBounds bounds = perspective_bounds(light_from_world(frame), tiles);
   const double far = bounds.far * (1.0 + kMinimumExtent);
   return make_view(frame, bounds, std::max(1e-2 * bounds.near, kNearShare * far), far, false);
+}
+
+std::span<const std::string> light_fits() {
+  static const std::array<std::string, 5> fits = {"none", "frustum", "scene", "full", "visible"};
+  return fits;
+}
+
+LightView snapped(const LightView& view, int texels_a_side) {
+  constexpr double kStepsPerOctave = 4.0;
+  const glm::dvec4 old(view.lateral_bounds);
+  LateralBounds bounds{{old.x, old.y}, {old.z, old.w}, view.near_world, view.far_world};
+  const glm::dvec2 extent = bounds.max - bounds.min;
+  for (int axis = 0; axis < 2; ++axis) {
+    // One more texel than needed: the corner moves down by up to one.
+    const double least = extent[axis] * texels_a_side / std::max(texels_a_side - 1, 1);
+    const double width = std::exp2(std::ceil(std::log2(least) * kStepsPerOctave) / kStepsPerOctave);
+    const double texel = width / texels_a_side;
+    bounds.min[axis] = std::floor(bounds.min[axis] / texel) * texel;
+    bounds.max[axis] = bounds.min[axis] + width;
+  }
+  LightView result = view;
+  result.clip_from_light =
+      glm::mat4(clip_from_light(bounds, view.near_world, view.far_world, view.is_orthographic));
+  result.lateral_bounds = glm::vec4(glm::vec2(bounds.min), glm::vec2(bounds.max));
+  return result;
 }
 
 glm::dvec3 lateral_and_distance(const LightView& view, const glm::dvec3& p_world) {

@@ -8,7 +8,7 @@
 #include <glm/vec4.hpp>
 
 #include <span>
-#include <string_view>
+#include <string>
 #include <vector>
 
 namespace umbrameter {
@@ -31,17 +31,30 @@ struct LightView {
   bool is_orthographic = false;
 };
 
-enum class LightFit { visible, scene };
+/// What a map covers laterally, and its range of distances (TECHNIQUES 2.23):
+/// - none: the scene's bounding sphere, whatever its shape;
+/// - scene: the scene's box;
+/// - frustum: the part of the scene's box inside the camera's frustum, at the scene's range of distances;
+/// - full: the same, at its own range;
+/// - visible: the receivers in the picture.
+/// All but none and frustum add what penumbra searches reach into and take their nearest caster as the near plane.
+enum class LightFit { none, frustum, scene, full, visible };
+/// Their names, in the order of the enumeration.
+std::span<const std::string> light_fits();
 
 /// The view from the light's centre (sun: along its direction), its map plane parallel to rect and disk
-/// lights. `fit` visible: lateral bounds cover the receiver tiles plus the margin that penumbra searches
-/// reach into; scene: they cover all geometry in front of the light. Perspective bounds are limited to tan(80
-/// deg); what falls outside counts as lit and is reported by the renderer.
-LightView fit_center_view(const Scene& scene, std::span<const ReceiverTile> receivers, LightFit fit);
+/// lights. Perspective bounds are limited to tan(80 deg); what falls outside counts as lit and is reported by the
+/// renderer.
+/// `covered`: what frustum, full (camera_tiles) or visible (the receivers) cover.
+LightView fit_center_view(const Scene& scene, std::span<const ReceiverTile> covered, LightFit fit);
 
 /// The view from one point of the light (light_point(light, uv)), same plane, without a search margin.
-LightView fit_sample_view(const Scene& scene, std::span<const ReceiverTile> receivers, LightFit fit,
+LightView fit_sample_view(const Scene& scene, std::span<const ReceiverTile> covered, LightFit fit,
                           const glm::dvec2& light_uv);
+
+/// The view with a map that moves in whole texels only when the camera does: its width takes steps of 2^(1/4) and its
+/// corner lies on a multiple of a texel.
+LightView snapped(const LightView& view, int texels_a_side);
 
 /// Lateral coordinates and distance of a world point in a view.
 glm::dvec3 lateral_and_distance(const LightView& view, const glm::dvec3& p_world);

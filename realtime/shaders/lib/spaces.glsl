@@ -24,6 +24,14 @@ float distance_of_depth(LightViewData view, float depth_reversed) {
                                : perspective_distance(depth_reversed, view.depth_range.x, view.depth_range.y);
 }
 
+/// The depth that distance_of_depth turns back, within [0, 1].
+float depth_of_distance(LightViewData view, float distance_world) {
+  float near_world = view.depth_range.x;
+  float far_world = view.depth_range.y;
+  float share = (far_world - distance_world) / (far_world - near_world);
+  return clamp(is_orthographic(view) ? share : share * near_world / max(distance_world, near_world), 0.0, 1.0);
+}
+
 vec2 lateral_of(LightViewData view, vec3 p_light) {
   return is_orthographic(view) ? p_light.xy : p_light.xy / p_light.z;
 }

@@ -22,6 +22,8 @@ struct FrameData {
   vec4 light_extent;  // rect: half width, half height; disk, sphere: radius twice; sun: tan(half angle) twice
   ivec4 light_type;   // x: 0 rect, 1 disk, 2 sphere, 3 sun
   ivec4 screen_and_seed;  // width px, height px, low 31 bits of the seed, 0
+  vec4
+      receiver_plane_world;  // the plane most receivers lie on: unit normal towards the camera, n . p + w = 0
 };
 
 // Light space: x tangent, y bitangent, z distance along the light's direction from the viewpoint.
@@ -34,12 +36,13 @@ struct LightViewData {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(FrameData) == 192 && sizeof(LightViewData) == 160);
+static_assert(sizeof(FrameData) == 208 && sizeof(LightViewData) == 160);
 static_assert(offsetof(FrameData, eye_world) == 64 && offsetof(FrameData, light_center_world) == 80);
 static_assert(offsetof(FrameData, light_tangent_world) == 96 &&
               offsetof(FrameData, light_bitangent_world) == 112);
 static_assert(offsetof(FrameData, light_direction_world) == 128 && offsetof(FrameData, light_extent) == 144);
 static_assert(offsetof(FrameData, light_type) == 160 && offsetof(FrameData, screen_and_seed) == 176);
+static_assert(offsetof(FrameData, receiver_plane_world) == 192);
 static_assert(offsetof(LightViewData, clip_from_light) == 64);
 static_assert(offsetof(LightViewData, lateral_bounds) == 128 && offsetof(LightViewData, depth_range) == 144);
 }  // namespace umbrameter

@@ -382,32 +382,30 @@ TEST(Manifest, ParameterGroupsComeFromTheSharedFolder) {
                "1.0\nstage = \"uniform\"\ndoc = \"Softness.\"\n",
                "");
   const Technique technique =
-      load(folder, replaced(without, "constraints", "parameter_groups = [\"bias\"]\nconstraints"));
+      load(folder, replaced(without, "constraints", "include = [\"bias\"]\nconstraints"));
   EXPECT_EQ(std::get<double>(default_values(technique.parameters).at("softness")), 0.25);
-  EXPECT_THAT(
-      error_of(folder, replaced(without, "constraints", "parameter_groups = [\"bais\"]\nconstraints")),
-      AllOf(HasSubstr("unknown parameter group 'bais'"), HasSubstr("'bias'")));
+  EXPECT_THAT(error_of(folder, replaced(without, "constraints", "include = [\"bais\"]\nconstraints")),
+              AllOf(HasSubstr("there is no shared manifest 'bais'"), HasSubstr("'bias'")));
 }
 
 TEST(Manifest, ParameterGroupsMayBeginWithOthersButNotWithThemselves) {
   TechniqueFolder folder;
   folder.write_shared("outer.toml",
-                      "parameter_groups = [\"inner\"]\n[[parameter]]\nname = \"softness\"\ntype = "
+                      "include = [\"inner\"]\n[[parameter]]\nname = \"softness\"\ntype = "
                       "\"real\"\ndefault = 0.25\nmin = 0\nmax = 1\nstage = \"uniform\"\ndoc = \"x\"\n");
   const std::string manifest =
       replaced(whole_manifest(),
                "[[parameter]]\nname = \"softness\"\ntype = \"real\"\ndefault = 0.5\nmin = 0.0\nmax = "
                "1.0\nstage = \"uniform\"\ndoc = \"Softness.\"\n",
                "");
-  const std::string grouped =
-      replaced(manifest, "constraints", "parameter_groups = [\"outer\"]\nconstraints");
+  const std::string grouped = replaced(manifest, "constraints", "include = [\"outer\"]\nconstraints");
   folder.write_shared("inner.toml",
                       "[[parameter]]\nname = \"unused\"\ntype = \"boolean\"\ndefault = true\nstage = "
                       "\"host\"\ndoc = \"x\"\n");
   EXPECT_THAT(error_of(folder, grouped), HasSubstr("host parameter 'unused' is never read"));
-  folder.write_shared("inner.toml", "parameter_groups = [\"outer\"]\n");
+  folder.write_shared("inner.toml", "include = [\"outer\"]\n");
   EXPECT_THAT(error_of(folder, grouped),
-              AllOf(HasSubstr("inner.toml:1"), HasSubstr("group 'outer' comes in a second time")));
+              AllOf(HasSubstr("inner.toml:1"), HasSubstr("'outer' comes in a second time")));
 }
 
 TEST(Manifest, HashCoversManifestShadersAndGroupsButNotThePlace) {

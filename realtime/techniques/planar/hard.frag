@@ -1,0 +1,3 @@
+#include "plane_visibility.glsl"
+
+void main() { out_visibility = plane_visibility(view_center); }

@@ -1,0 +1,20 @@
+// The projection of casters onto frame.receiver_plane_world from a view's own point (Blinn 1988), as seen by the camera.
+
+/// The point, or (w = 0) the direction, that a view looks from: homogeneous, world space.
+vec4 viewpoint_world(LightViewData view) {
+  mat3 rotation = mat3(view.light_from_world);
+  if (view.depth_range.z > 0.5) return vec4(-transpose(rotation)[2], 0.0);  // orthographic: towards the light
+  return vec4(-transpose(rotation) * view.light_from_world[3].xyz, 1.0);
+}
+
+/// The plane through the middle of the receivers, with the light on its positive side.
+vec4 plane_towards(vec4 viewpoint) {
+  vec4 plane = frame.receiver_plane_world;
+  return dot(plane, viewpoint) < 0.0 ? -plane : plane;
+}
+
+/// The plane's point on the line from `viewpoint` through p_world, homogeneous. Positive w for casters between both.
+vec4 projected_world(vec4 plane, vec4 viewpoint, vec3 p_world) {
+  vec4 p = vec4(p_world, 1.0);
+  return dot(plane, viewpoint) * p - dot(plane, p) * viewpoint;
+}
