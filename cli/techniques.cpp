@@ -1,5 +1,6 @@
 #include "cli/console.h"
 #include "cli/home.h"
+#include "cli/techniques_verbs.h"
 #include "core/error.h"
 
 #include <fmt/format.h>
@@ -165,6 +166,19 @@ void add_techniques(CLI::App& app, CommandLine& line) {
   show_verb->fallthrough();
   show_verb->add_option("technique", *name, "id or folder")->required();
   show_verb->callback([name, &line] { line.verb = [name, &line] { return show(*name, line.global); }; });
+  auto ids = std::make_shared<std::vector<std::string>>();
+  CLI::App* traits_verb =
+      verb->add_subcommand("traits", "precise, soft, anti-aliased, ...: paper E's table, measured");
+  traits_verb->fallthrough();
+  traits_verb->add_option("technique", *ids, "ids or folders; none = all");
+  traits_verb->callback(
+      [ids, &line] { line.verb = [ids, &line] { return show_traits(*ids, line.global); }; });
+  CLI::App* doc_verb =
+      verb->add_subcommand("doc", "Markdown of all techniques and what a validation measured of them");
+  doc_verb->fallthrough();
+  doc_verb->add_option("results", *name, "results.json of a validation")->required();
+  doc_verb->callback(
+      [name, &line] { line.verb = [name, &line] { return write_technique_doc(*name, line.global); }; });
   CLI::App* check_verb = verb->add_subcommand("check", "load a technique, compile and run its shaders");
   check_verb->fallthrough();
   check_verb->add_option("technique", *name, "id or folder")->required();

@@ -15,20 +15,16 @@ namespace {
 
 /// Read access to the receivers of a G-buffer image.
 struct Receivers {
-  std::span<const float> x, y, z, id, nx, ny, nz, irradiance;
+  std::span<const float> x, y, z, id, irradiance;
 
   explicit Receivers(const Image& image)
       : x(image.plane("position.x")),
         y(image.plane("position.y")),
         z(image.plane("position.z")),
         id(image.plane("primitive_id")),
-        nx(image.plane("normal.x")),
-        ny(image.plane("normal.y")),
-        nz(image.plane("normal.z")),
         irradiance(image.plane("unshadowed_irradiance")) {}
   bool is_receiver(size_t pixel) const { return id[pixel] >= 0.0f && irradiance[pixel] > 0.0f; }
   glm::vec3 p_world(size_t pixel) const { return {x[pixel], y[pixel], z[pixel]}; }
-  glm::dvec3 n_world(size_t pixel) const { return {nx[pixel], ny[pixel], nz[pixel]}; }
 };
 
 bool is_outside(const LightView& view, const glm::dvec3& p_world) {
@@ -76,6 +72,9 @@ glm::dvec4 receiver_plane(const Image& gbuffer) {
   constexpr double kNormalStep = 1e-3;
   constexpr double kOffsetShare = 1e-4;  // of the receivers' largest coordinate
   const Receivers receivers(gbuffer);
+  const auto nx = gbuffer.plane("normal.x");
+  const auto ny = gbuffer.plane("normal.y");
+  const auto nz = gbuffer.plane("normal.z");
   double scale = 0.0;
   for (size_t pixel = 0; pixel < gbuffer.pixel_count(); ++pixel) {
     if (!receivers.is_receiver(pixel)) continue;
@@ -89,7 +88,7 @@ glm::dvec4 receiver_plane(const Image& gbuffer) {
   std::map<std::array<int64_t, 4>, Votes> planes;
   for (size_t pixel = 0; pixel < gbuffer.pixel_count(); ++pixel) {
     if (!receivers.is_receiver(pixel)) continue;
-    const glm::dvec3 n = receivers.n_world(pixel);
+    const glm::dvec3 n(nx[pixel], ny[pixel], nz[pixel]);
     const double offset = -glm::dot(n, glm::dvec3(receivers.p_world(pixel)));
     const auto cell = [](double value, double step) {
       return static_cast<int64_t>(std::llround(value / step));

@@ -1,6 +1,6 @@
 #pragma once
 // What the camera sees of the scene that light could reach: from a G-buffer image with its channels
-// position.*, primitive_id and unshadowed_irradiance.
+// position.*, primitive_id and unshadowed_irradiance (receiver_plane: normal.* too).
 
 #include "core/image.h"
 #include "realtime/views/light_view.h"

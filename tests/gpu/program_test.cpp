@@ -134,6 +134,7 @@ TEST_F(ProgramTest, TheDriverLaysFrameDataOutAsCppDoes) {
       {"frame.light_extent", offsetof(FrameData, light_extent)},
       {"frame.light_type", offsetof(FrameData, light_type)},
       {"frame.screen_and_seed", offsetof(FrameData, screen_and_seed)},
+      {"frame.receiver_plane_world", offsetof(FrameData, receiver_plane_world)},
       {"view.light_from_world", offsetof(LightViewData, light_from_world)},
       {"view.clip_from_light", offsetof(LightViewData, clip_from_light)},
       {"view.lateral_bounds", offsetof(LightViewData, lateral_bounds)},

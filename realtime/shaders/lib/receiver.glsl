@@ -48,6 +48,11 @@ vec3 offset_along_normal(LightViewData view, vec3 p_light, vec3 n_light, float c
   return p_light + n_light * (bias.normal_offset_texels * texel_world(view, p_light.z) * share);
 }
 
+float limited_slope(float cos_incidence) {
+  float sin_incidence = sqrt(max(0.0, 1.0 - cos_incidence * cos_incidence));
+  return sin_incidence < kMaxPlaneSlope * cos_incidence ? sin_incidence / cos_incidence : kMaxPlaneSlope;
+}
+
 /// In mode auto the point stays where it is: its slope alone decides.
 Receiver make_receiver(LightViewData view, vec3 p_world, vec3 n_world, Bias bias) {
   Receiver receiver;
@@ -56,8 +61,7 @@ Receiver make_receiver(LightViewData view, vec3 p_world, vec3 n_world, Bias bias
   receiver.n_light = mat3(view.light_from_world) * n_world;
   float cos_incidence = dot(receiver.n_light, to_light);
   receiver.taps = bias.taps;
-  receiver.slope = min(sqrt(max(0.0, 1.0 - cos_incidence * cos_incidence)) / max(abs(cos_incidence), 1e-6),
-                       kMaxPlaneSlope);
+  receiver.slope = limited_slope(abs(cos_incidence));
   receiver.p_light =
       bias.taps.is_auto ? p_light : offset_along_normal(view, p_light, receiver.n_light, cos_incidence, bias);
   receiver.lateral = lateral_of(view, receiver.p_light);

@@ -1,10 +1,13 @@
 // The projection of casters onto frame.receiver_plane_world from a view's own point (Blinn 1988), as seen by the camera.
 
+#include "spaces.glsl"
+
 /// The point, or (w = 0) the direction, that a view looks from: homogeneous, world space.
 vec4 viewpoint_world(LightViewData view) {
   mat3 rotation = mat3(view.light_from_world);
-  if (view.depth_range.z > 0.5) return vec4(-transpose(rotation)[2], 0.0);  // orthographic: towards the light
-  return vec4(-transpose(rotation) * view.light_from_world[3].xyz, 1.0);
+  if (is_orthographic(view)) return vec4(-transpose(rotation)[2], 0.0);  // towards the light
+  vec3 translation = (view.light_from_world * vec4(0.0, 0.0, 0.0, 1.0)).xyz;
+  return vec4(-transpose(rotation) * translation, 1.0);
 }
 
 /// The plane through the middle of the receivers, with the light on its positive side.

@@ -1,0 +1,130 @@
+// `techniques traits` and `techniques doc`: what measurements say about the built-in techniques.
+
+#include "cli/console.h"
+#include "cli/home.h"
+#include "cli/progress_bar.h"
+#include "cli/technique_doc.h"
+#include "cli/techniques_verbs.h"
+#include "core/error.h"
+#include "core/files.h"
+#include "realtime/manifest/technique.h"
+#include "reference/reference.h"
+#include "study/results_json.h"
+#include "study/traits.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace umbrameter {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kReferenceSamples = 1024;
+
+/// Numbers of the group "bias" at their minimum, choices at their first.
+ParameterValues neutral_bias(const TechniqueRun& run, const Home& home) {
+  ParameterValues values;
+  for (const Parameter& parameter : find_technique(run.technique, home.techniques).parameters) {
+    if (parameter.group != "bias") continue;
+    if (parameter.type == ParameterType::real) values[parameter.name] = parameter.min;
+    if (parameter.type == ParameterType::integer)
+      values[parameter.name] = static_cast<int64_t>(parameter.min);
+    if (parameter.type == ParameterType::boolean) values[parameter.name] = false;
+    if (parameter.type == ParameterType::choice) values[parameter.name] = parameter.choices.front();
+  }
+  return values;
+}
+
+std::string cell_text(const TraitResult& result) {
+  if (!result.value) return "n/a";
+  return fmt::format("{} {:.2g}", symbol_of(*result.verdict), *result.value);
+}
+
+std::string claim_text(std::string_view id) {
+  std::string text;
+  for (const TraitVerdict verdict : paper_e_claim(id)) text += symbol_of(verdict);
+  return text;
+}
+
+std::string traits_text(const std::vector<TechniqueTraits>& all) {
+  std::vector<std::string> header{"technique"};
+  for (size_t k = 0; k < kTraits; ++k) header.emplace_back(name_of(static_cast<Trait>(k)));
+  header.emplace_back("paper E");
+  std::vector<std::vector<std::string>> rows;
+  for (const TechniqueTraits& traits : all) {
+    std::vector<std::string> row{traits.id};
+    for (const TraitResult& result : traits.results) row.push_back(cell_text(result));
+    row.push_back(claim_text(traits.id));
+    rows.push_back(std::move(row));
+  }
+  std::string text = format_table(header, rows);
+  for (size_t k = 0; k < kTraits; ++k) {
+    const auto trait = static_cast<Trait>(k);
+    text += fmt::format("{}: {}\n", name_of(trait), measure_of(trait));
+  }
+  return text;
+}
+
+Json to_json(const std::vector<TechniqueTraits>& all) {
+  Json techniques = Json::array();
+  for (const TechniqueTraits& traits : all) {
+    Json json = {{"id", traits.id}};
+    for (size_t k = 0; k < kTraits; ++k) {
+      const TraitResult& result = traits.results[k];
+      Json& entry = json[std::string(name_of(static_cast<Trait>(k)))];
+      entry["value"] = result.value ? Json(*result.value) : Json();
+      entry["verdict"] = result.verdict ? Json(symbol_of(*result.verdict)) : Json();
+    }
+    json["paper_e"] = claim_text(traits.id);
+    json["failure"] = traits.failure;
+    techniques.push_back(std::move(json));
+  }
+  return {{"traits", techniques}};
+}
+
+}  // namespace
+
+int show_traits(const std::vector<std::string>& ids, const GlobalOptions& global) {
+  const Home home = find_home();
+  const SceneSearch search = scene_search(global, home);
+  std::vector<TechniqueRun> runs;
+  for (const std::string& id : ids) runs.push_back(choose_technique(id, {}, home));
+  if (runs.empty()) runs = all_techniques(home);
+  std::vector<SceneJob> scenes;
+  for (const std::string& name : trait_scene_names()) scenes.push_back(load_scene_job(name, search));
+  const auto realtime = open_realtime_renderer(global, home);
+  const auto reference = make_reference_renderer({kReferenceSamples, std::nullopt, global.threads});
+  ProgressBar progress;
+  const TraitInputs inputs{.scenes = scenes,
+                           .renderers = {*reference, *realtime},
+                           .neutral_bias = [&](const TechniqueRun& run) { return neutral_bias(run, home); }};
+  const std::vector<TechniqueTraits> traits = measure_traits(runs, inputs, progress);
+  progress.clear();
+  int code = kExitFine;
+  for (const TechniqueTraits& technique : traits) {
+    if (technique.failure.empty()) continue;
+    print_error(fmt::format("{}: {}", technique.id, technique.failure));
+    code = kExitGateFailed;
+  }
+  if (global.json) {
+    print_json(to_json(traits));
+  } else {
+    print_answer(traits_text(traits));
+  }
+  return code;
+}
+
+int write_technique_doc(const std::string& results_file, const GlobalOptions& global) {
+  const Results results = parse_results(read_file(results_file), results_file);
+  const std::string text = technique_doc(list_techniques(find_home().techniques), results);
+  if (global.out.empty()) {
+    print_answer(text);
+  } else {
+    write_file_atomically(global.out, text);
+    print_note(fmt::format("wrote {}", global.out));
+  }
+  return kExitFine;
+}
+
+}  // namespace umbrameter
