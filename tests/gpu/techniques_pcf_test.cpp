@@ -230,7 +230,7 @@ TEST(pcf_adaptive, noise_follows_the_seed_and_a_tile_of_one_has_none) {
   EXPECT_EQ(visibility(scene, "pcf_adaptive", still, 1), visibility(scene, "pcf_adaptive", still, 2));
 }
 
-ParameterValues disk(const std::string& pattern, const std::string& rotation) {
+ParameterValues disk_values(const std::string& pattern, const std::string& rotation) {
   return small_map({{"pattern", pattern},
                     {"rotation", rotation},
                     {"taps", int64_t{64}},
@@ -242,9 +242,9 @@ TEST(pcf_disk, patterns_spread_an_edge_alike) {
   UMBRAMETER_REQUIRE_GL();
   const Scene scene = half_plane_scene(light_at_4(LightType::sun, 0.5));
   const auto hard = visibility(scene, "hard", small_map({}));
-  const double vogel = mean_difference(visibility(scene, "pcf_disk", disk("vogel", "gradient_noise")), hard);
+  const double vogel = mean_difference(visibility(scene, "pcf_disk", disk_values("vogel", "gradient_noise")), hard);
   for (const std::string pattern : {"poisson", "blue_noise"}) {
-    const auto other = visibility(scene, "pcf_disk", disk(pattern, "white_noise"));
+    const auto other = visibility(scene, "pcf_disk", disk_values(pattern, "white_noise"));
     EXPECT_NEAR(mean_difference(other, hard) / vogel, 1.0, 0.05) << pattern;
   }
 }
@@ -253,7 +253,7 @@ TEST(pcf_disk, turns_by_the_seed_or_not_at_all) {
   UMBRAMETER_REQUIRE_GL();
   const Scene scene = plate_scene();
   const auto at = [&](const std::string& rotation, uint64_t seed) {
-    return visibility(scene, "pcf_disk", disk("blue_noise", rotation), seed);
+    return visibility(scene, "pcf_disk", disk_values("blue_noise", rotation), seed);
   };
   EXPECT_EQ(at("none", 1), at("none", 2));
   EXPECT_NE(at("white_noise", 1), at("white_noise", 2));
@@ -262,7 +262,7 @@ TEST(pcf_disk, turns_by_the_seed_or_not_at_all) {
 
 TEST(pcf_disk, rejects_more_taps_than_a_table_holds) {
   UMBRAMETER_REQUIRE_GL();
-  ParameterValues values = disk("poisson", "none");
+  ParameterValues values = disk_values("poisson", "none");
   values["taps"] = int64_t{65};
   EXPECT_ANY_THROW(visibility(plate_scene(), "pcf_disk", values));
 }

@@ -1,42 +1,87 @@
-// Whether all of a square of texels must come out lit, or all of it blocked, by the extremes of the blocks it touches.
-// Conservative: what this knows, single comparisons would have found too.
+// Whether a square of texels must come out all lit or all blocked, by the blocks it touches. Conservative: what this
+// says, the comparisons would have said. Depths are reversed here, so nearer is larger, and linear in the map's
+// coordinates: what holds at the corners of a rectangle holds inside.
 #include "blocks.glsl"
 #include "shadow_map.glsl"
 
-/// Least and largest reversed depth in the blocks of texels low to high. Texels outside the map are empty.
-vec2 extremes(sampler2D blocks, LightViewData view, ivec2 low, ivec2 high) {
-  bool is_inside = is_in_map(view, low) && is_in_map(view, high);
-  ivec2 first = max(low, ivec2(0)) / kBlockTexels;
-  ivec2 last = min(high, ivec2(int(view.depth_range.w) - 1)) / kBlockTexels;
-  vec2 least_and_largest = vec2(is_inside ? 1.0 : 0.0, 0.0);
-  for (int y = first.y; y <= last.y; ++y) {
-    for (int x = first.x; x <= last.x; ++x) {
-      vec2 block = texelFetch(blocks, ivec2(x, y), 0).rg;
-      least_and_largest = vec2(min(least_and_largest.x, block.x), max(least_and_largest.y, block.y));
-    }
-  }
-  return least_and_largest;
+/// Corner `index` of 4.
+ivec2 corner_of(int index, ivec2 low, ivec2 high) {
+  return ivec2((index & 1) == 0 ? low.x : high.x, (index >> 1) == 0 ? low.y : high.y);
 }
 
-/// At most what any texel of the square is compared with. The tangent plane's distance has its least value at a corner;
-/// its limit on slopes only raises it.
-float least_compare_distance(LightViewData view, Receiver receiver, ivec2 low, ivec2 high) {
-  float z = receiver.p_light.z;
-  for (int i = 0; i < 4 && receiver.has_plane; ++i) {  // const: corners
-    vec2 corner = vec2((i & 1) == 0 ? low.x : high.x + 1, (i >> 1) == 0 ? low.y : high.y + 1);
-    z = min(z, meeting_distance(view, receiver, lateral_of_texel(view, corner)));
-  }
-  return z - receiver.bias_world - 1e-5 * receiver.p_light.z;  // const: the rounding of two such distances
+/// By how much distances must differ before their order is certain.
+float rounding_world(LightViewData view, Receiver receiver) {
+  return 2e-6 * (is_orthographic(view) ? view.depth_range.y : receiver.p_light.z);  // const: some 16 roundings
 }
 
-/// True when all texels from low to high are lit (visibility 1) or all blocked (0).
+/// Depth of the receiver's tangent plane, also where the light's ray does not meet it.
+float depth_of_plane(LightViewData view, Receiver receiver, vec2 lateral) {
+  vec3 n = receiver.n_light;
+  float near_world = view.depth_range.x;
+  float far_world = view.depth_range.y;
+  if (is_orthographic(view))
+    return depth_of_distance(view, (receiver.plane_distance - dot(n.xy, lateral)) / n.z);
+  float inverse_distance = dot(n, vec3(lateral, 1.0)) / receiver.plane_distance;
+  return near_world * (far_world * inverse_distance - 1.0) / (far_world - near_world);
+}
+
+/// Whether comparisons follow the tangent plane itself, not the limit on its slope.
+bool follows_plane(LightViewData view, Receiver receiver) {
+  vec3 to_light = normalize(to_viewpoint(view, receiver));
+  return receiver.has_plane && dot(receiver.n_light, to_light) * kMaxPlaneSlope > 1.1;  // const: 1, and some room
+}
+
+/// Whether no texel from low to high, all of the block from `origin` on, is a blocker. A comparison's depth is at
+/// least the receiver's own, and at least the plane's, each with the bias on top: the bias moves depths least at the
+/// receiver, the farthest point compared with.
+bool is_lit_block(LightViewData view, Receiver receiver, Block block, ivec2 origin, ivec2 low, ivec2 high) {
+  float bias_world = receiver.bias_world - rounding_world(view, receiver);
+  float own_depth = depth_of_distance(view, receiver.p_light.z);
+  float own_limit = depth_of_distance(view, receiver.p_light.z - bias_world);
+  bool is_behind_receiver = true;
+  bool is_behind_plane = bias_world > 0.0 && follows_plane(view, receiver);
+  for (int i = 0; i < 4; ++i) {  // const: corners
+    ivec2 texel = corner_of(i, low, high);
+    float depth = dot(block.slope, vec2(texel - origin)) + block.largest;
+    vec2 lateral = lateral_of_texel(view, vec2(texel) + 0.5);
+    is_behind_receiver = is_behind_receiver && depth <= own_limit;
+    is_behind_plane = is_behind_plane && depth - depth_of_plane(view, receiver, lateral) <= own_limit - own_depth;
+  }
+  return is_behind_receiver || is_behind_plane;
+}
+
+/// Whether all texels from low to high are blockers. The limit on the plane's slope only helps; empty texels have
+/// depth 0.
+bool is_dark_block(LightViewData view, Receiver receiver, Block block, ivec2 origin, ivec2 low, ivec2 high) {
+  float bias_world = receiver.bias_world + rounding_world(view, receiver);
+  for (int i = 0; i < 4; ++i) {  // const: corners
+    ivec2 texel = corner_of(i, low, high);
+    float depth = dot(block.slope, vec2(texel - origin)) + block.least;
+    vec2 lateral = lateral_of_texel(view, vec2(texel) + 0.5);
+    float z = (receiver.has_plane ? meeting_distance(view, receiver, lateral) : receiver.p_light.z) - bias_world;
+    bool is_before_light = !is_orthographic(view) && z <= 0.0;
+    if (is_before_light || depth <= max(0.0, depth_of_distance(view, z))) return false;
+  }
+  return true;
+}
+
+/// True when all texels from low to high are lit (visibility 1) or all are blockers (0).
 bool is_known_by_blocks(sampler2D blocks, LightViewData view, Receiver receiver, ivec2 low, ivec2 high,
                         out float visibility) {
-  vec2 least_and_largest = extremes(blocks, view, low, high);
-  float nearest = distance_of_depth(view, least_and_largest.y);
-  float farthest = distance_of_depth(view, least_and_largest.x);
-  bool is_lit = least_and_largest.y <= 0.0 || nearest >= receiver.p_light.z - receiver.bias_world;
-  bool is_dark = least_and_largest.x > 0.0 && farthest < least_compare_distance(view, receiver, low, high);
+  ivec2 first = max(low, ivec2(0)) / kBlockTexels;
+  ivec2 last = min(high, ivec2(int(view.depth_range.w) - 1)) / kBlockTexels;
+  bool is_lit = true;
+  bool is_dark = is_in_map(view, low) && is_in_map(view, high);  // beside the map nothing blocks
+  for (int y = first.y; y <= last.y && (is_lit || is_dark); ++y) {
+    for (int x = first.x; x <= last.x && (is_lit || is_dark); ++x) {
+      ivec2 origin = kBlockTexels * ivec2(x, y);
+      ivec2 block_low = max(low, origin);
+      ivec2 block_high = min(high, origin + kBlockTexels - 1);
+      Block block = unpack(texelFetch(blocks, ivec2(x, y), 0));
+      is_lit = is_lit && is_lit_block(view, receiver, block, origin, block_low, block_high);
+      is_dark = is_dark && is_dark_block(view, receiver, block, origin, block_low, block_high);
+    }
+  }
   visibility = is_lit ? 1.0 : 0.0;
   return is_lit || is_dark;
 }

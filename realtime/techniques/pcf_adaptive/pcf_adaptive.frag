@@ -1,5 +1,5 @@
-// Percentage-closer filtering over jittered disks that differ from pixel to pixel of a tile, with an early way out where
-// no penumbra is expected or possible.
+// Percentage-closer filtering over jittered disks that differ from pixel to pixel of a tile, with an early way out
+// where no penumbra is expected, or possible.
 #include "pixel.glsl"
 #include "shadow_map.glsl"
 #if EARLY_OUT == EARLY_OUT_MIN_MAX
