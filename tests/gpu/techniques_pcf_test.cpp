@@ -155,7 +155,7 @@ TEST(pcf_adaptive, min_max_loses_nothing) {
     const Light light = light_at_4(type, 0.5);
     for (const Scene& scene : {half_plane_scene(light), rough_scene(light)}) {
       for (const double radius : {0.0, 5.0, 17.3, 64.0}) {
-        for (const bool receiver_plane : {true, false}) {
+        for (const std::string receiver_plane : {"none", "tap", "texel_center"}) {
           ParameterValues all = adaptive("none", radius);
           ParameterValues culled = adaptive("min_max", radius);
           all["receiver_plane"] = culled["receiver_plane"] = receiver_plane;
@@ -242,7 +242,8 @@ TEST(pcf_disk, patterns_spread_an_edge_alike) {
   UMBRAMETER_REQUIRE_GL();
   const Scene scene = half_plane_scene(light_at_4(LightType::sun, 0.5));
   const auto hard = visibility(scene, "hard", small_map({}));
-  const double vogel = mean_difference(visibility(scene, "pcf_disk", disk_values("vogel", "gradient_noise")), hard);
+  const double vogel =
+      mean_difference(visibility(scene, "pcf_disk", disk_values("vogel", "gradient_noise")), hard);
   for (const std::string pattern : {"poisson", "blue_noise"}) {
     const auto other = visibility(scene, "pcf_disk", disk_values(pattern, "white_noise"));
     EXPECT_NEAR(mean_difference(other, hard) / vogel, 1.0, 0.05) << pattern;

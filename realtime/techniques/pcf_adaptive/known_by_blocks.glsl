@@ -14,38 +14,41 @@ float rounding_world(LightViewData view, Receiver receiver) {
   return 2e-6 * (is_orthographic(view) ? view.depth_range.y : receiver.p_light.z);  // const: some 16 roundings
 }
 
-/// Depth of the receiver's tangent plane, also where the light's ray does not meet it.
+/// Whether comparisons are with the tangent plane or the receiver's own distance, less a constant: all that follows
+/// assumes it.
+bool is_plain_bias(TapBias taps) {
+  return !taps.is_auto && taps.plane != kPlaneAtTap && taps.cone == 0.0;
+}
+
+/// Depth of the receiver's tangent plane, also where the light's ray does not meet it; linear in `lateral`.
 float depth_of_plane(LightViewData view, Receiver receiver, vec2 lateral) {
   vec3 n = receiver.n_light;
   float near_world = view.depth_range.x;
   float far_world = view.depth_range.y;
-  if (is_orthographic(view))
-    return depth_of_distance(view, (receiver.plane_distance - dot(n.xy, lateral)) / n.z);
+  if (is_orthographic(view)) {
+    float z = (receiver.plane_distance - dot(n.xy, lateral)) / n.z;
+    return (far_world - z) / (far_world - near_world);
+  }
   float inverse_distance = dot(n, vec3(lateral, 1.0)) / receiver.plane_distance;
   return near_world * (far_world * inverse_distance - 1.0) / (far_world - near_world);
 }
 
-/// Whether comparisons follow the tangent plane itself, not the limit on its slope.
-bool follows_plane(LightViewData view, Receiver receiver) {
-  vec3 to_light = normalize(to_viewpoint(view, receiver));
-  return receiver.has_plane && dot(receiver.n_light, to_light) * kMaxPlaneSlope > 1.1;  // const: 1, and some room
-}
-
 /// Whether no texel from low to high, all of the block from `origin` on, is a blocker. A comparison's depth is at
-/// least the receiver's own, and at least the plane's, each with the bias on top: the bias moves depths least at the
-/// receiver, the farthest point compared with.
+/// least the receiver's own, and (where the slope is not limited) at least the plane's, each with the bias on top. The
+/// bias moves depths least at the receiver, the farthest point compared with.
 bool is_lit_block(LightViewData view, Receiver receiver, Block block, ivec2 origin, ivec2 low, ivec2 high) {
   float bias_world = receiver.bias_world - rounding_world(view, receiver);
   float own_depth = depth_of_distance(view, receiver.p_light.z);
   float own_limit = depth_of_distance(view, receiver.p_light.z - bias_world);
+  bool follows_plane = receiver.taps.plane != kNoPlane && receiver.slope < 0.9 * kMaxPlaneSlope;  // const: some room
+  bool is_behind_plane = follows_plane && bias_world > 0.0;
   bool is_behind_receiver = true;
-  bool is_behind_plane = bias_world > 0.0 && follows_plane(view, receiver);
   for (int i = 0; i < 4; ++i) {  // const: corners
     ivec2 texel = corner_of(i, low, high);
     float depth = dot(block.slope, vec2(texel - origin)) + block.largest;
-    vec2 lateral = lateral_of_texel(view, vec2(texel) + 0.5);
+    float plane_depth = depth_of_plane(view, receiver, lateral_of_texel(view, vec2(texel) + 0.5));
     is_behind_receiver = is_behind_receiver && depth <= own_limit;
-    is_behind_plane = is_behind_plane && depth - depth_of_plane(view, receiver, lateral) <= own_limit - own_depth;
+    is_behind_plane = is_behind_plane && depth - plane_depth <= own_limit - own_depth;
   }
   return is_behind_receiver || is_behind_plane;
 }
@@ -54,13 +57,13 @@ bool is_lit_block(LightViewData view, Receiver receiver, Block block, ivec2 orig
 /// depth 0.
 bool is_dark_block(LightViewData view, Receiver receiver, Block block, ivec2 origin, ivec2 low, ivec2 high) {
   float bias_world = receiver.bias_world + rounding_world(view, receiver);
+  float own_depth = depth_of_distance(view, receiver.p_light.z);
   for (int i = 0; i < 4; ++i) {  // const: corners
     ivec2 texel = corner_of(i, low, high);
     float depth = dot(block.slope, vec2(texel - origin)) + block.least;
-    vec2 lateral = lateral_of_texel(view, vec2(texel) + 0.5);
-    float z = (receiver.has_plane ? meeting_distance(view, receiver, lateral) : receiver.p_light.z) - bias_world;
-    bool is_before_light = !is_orthographic(view) && z <= 0.0;
-    if (is_before_light || depth <= max(0.0, depth_of_distance(view, z))) return false;
+    float plane_depth = depth_of_plane(view, receiver, lateral_of_texel(view, vec2(texel) + 0.5));
+    float compared = receiver.taps.plane == kNoPlane ? own_depth : max(own_depth, plane_depth);
+    if (depth <= depth_of_distance(view, distance_of_depth(view, compared) - bias_world)) return false;
   }
   return true;
 }
@@ -68,6 +71,7 @@ bool is_dark_block(LightViewData view, Receiver receiver, Block block, ivec2 ori
 /// True when all texels from low to high are lit (visibility 1) or all are blockers (0).
 bool is_known_by_blocks(sampler2D blocks, LightViewData view, Receiver receiver, ivec2 low, ivec2 high,
                         out float visibility) {
+  if (!is_plain_bias(receiver.taps)) return false;
   ivec2 first = max(low, ivec2(0)) / kBlockTexels;
   ivec2 last = min(high, ivec2(int(view.depth_range.w) - 1)) / kBlockTexels;
   bool is_lit = true;

@@ -6,9 +6,6 @@
 #include "known_by_blocks.glsl"
 #endif
 
-const int kTaps = GRID_TAPS * GRID_TAPS;
-const int kProbes = min(GRID_TAPS + PROBE_INNER, kTaps);  // the outermost ring and some taps from the middle
-
 /// The set of this pixel: the same from tile to tile.
 int set_of_pixel() {
   ivec2 in_tile = ivec2(noise_position()) % tile_px;
@@ -27,10 +24,12 @@ float lit_taps(Receiver receiver, int set, int first, int last) {
 }
 
 float disk_mean(Receiver receiver, int set) {
-  float lit = lit_taps(receiver, set, 0, kProbes);
-  bool agrees = lit == 0.0 || lit == float(kProbes);
-  if (EARLY_OUT == EARLY_OUT_RING && agrees) return lit / float(kProbes);
-  return (lit + lit_taps(receiver, set, kProbes, kTaps)) / float(kTaps);
+  int all = GRID_TAPS * GRID_TAPS;
+  int probes = min(GRID_TAPS + PROBE_INNER, all);  // the outermost ring and some taps from the middle
+  float lit = lit_taps(receiver, set, 0, probes);
+  bool agrees = lit == 0.0 || lit == float(probes);
+  if (EARLY_OUT == EARLY_OUT_RING && agrees) return lit / float(probes);
+  return (lit + lit_taps(receiver, set, probes, all)) / float(all);
 }
 
 float visibility_of(Receiver receiver) {

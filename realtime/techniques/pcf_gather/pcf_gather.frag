@@ -10,7 +10,7 @@ vec2 pair_weights(int index, float low) {
 }
 
 float box_mean(Receiver receiver) {
-  const int gathers = FILTER_WIDTH_TEXELS / 2 + 1;  // a side: the box touches a texel more than its width
+  int gathers = FILTER_WIDTH_TEXELS / 2 + 1;  // a side: the box touches a texel more than its width
   vec2 p_texels = texel_position(view_light, receiver.lateral) - 0.5 * float(FILTER_WIDTH_TEXELS);
   vec2 first = floor(p_texels);
   vec2 low = p_texels - first;
