@@ -146,7 +146,7 @@ TEST(pcf_tent, of_3x3_is_the_same_with_either_weights) {
 }
 
 ParameterValues adaptive(const std::string& early_out, double radius_texels) {
-  return small_map({{"early_out", early_out}, {"radius_texels", radius_texels}});
+  return small_map({{"early_out", early_out}, {"radius_texels", radius_texels}, {"probe_inner", int64_t{0}}});
 }
 
 TEST(pcf_adaptive, min_max_loses_nothing) {

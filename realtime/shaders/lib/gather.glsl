@@ -18,3 +18,11 @@ vec4 gather_lit(sampler2D map, LightViewData view, Receiver receiver, ivec2 low)
 vec4 gather_weights(vec2 columns, vec2 rows) {
   return vec4(columns.xy * rows.y, columns.yx * rows.x);
 }
+
+/// Weighted sum of the four, and the sum of their weights. Precise, or a compiler rounds the two differently and a
+/// lit plane is not 1.
+vec2 lit_and_total_of(vec4 weights, vec4 lit) {
+  precise vec2 sum = vec2(0.0);
+  for (int i = 0; i < 4; ++i) sum += weights[i] * vec2(lit[i], 1.0);  // const: of a gather
+  return sum;
+}

@@ -14,13 +14,14 @@ float box_mean(Receiver receiver) {
   vec2 p_texels = texel_position(view_light, receiver.lateral) - 0.5 * float(FILTER_WIDTH_TEXELS);
   vec2 first = floor(p_texels);
   vec2 low = p_texels - first;
-  float lit = 0.0;
+  vec2 lit_and_total = vec2(0.0);
   for (int i = 0; i < gathers * gathers; ++i) {
     ivec2 index = 2 * ivec2(i % gathers, i / gathers);
     vec4 weights = gather_weights(pair_weights(index.x, low.x), pair_weights(index.y, low.y));
-    lit += dot(weights, gather_lit(shadow_map, view_light, receiver, ivec2(first) + index));
+    vec4 lit = gather_lit(shadow_map, view_light, receiver, ivec2(first) + index);
+    lit_and_total += lit_and_total_of(weights, lit);
   }
-  return lit / float(FILTER_WIDTH_TEXELS * FILTER_WIDTH_TEXELS);
+  return lit_and_total.x / lit_and_total.y;
 }
 
 float visibility_of(Receiver receiver) {

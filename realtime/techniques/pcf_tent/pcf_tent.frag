@@ -31,7 +31,7 @@ float tent_mean(Receiver receiver) {
     ivec2 index = 2 * ivec2(i % gathers, i / gathers);
     vec4 weights = gather_weights(pair_weights(index.x, share.x), pair_weights(index.y, share.y));
     vec4 lit = gather_lit(shadow_map, view_light, receiver, first + index);
-    lit_and_total += vec2(dot(weights, lit), dot(weights, vec4(1.0)));
+    lit_and_total += lit_and_total_of(weights, lit);
   }
   return lit_and_total.x / lit_and_total.y;
 }
