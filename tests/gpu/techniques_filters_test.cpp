@@ -37,42 +37,40 @@ ParameterValues small_map(ParameterValues values) {
   return values;
 }
 
-TEST(pcf_vogel, of_no_radius_is_the_hard_shadow) {
+TEST(pcf_disk, of_no_radius_is_the_hard_shadow) {
   UMBRAMETER_REQUIRE_GL();
   for (const LightType type : kLightTypes) {
     const Scene scene = half_plane_scene(light_at_4(type, 0.5));
-    const auto disk =
-        visibility(scene, "pcf_vogel", small_map({{"radius_texels", 0.0}, {"bilinear", false}}));
+    const auto disk = visibility(scene, "pcf_disk", small_map({{"radius_texels", 0.0}, {"bilinear", false}}));
     EXPECT_EQ(disk, visibility(scene, "hard", small_map({}))) << to_text(type);
   }
 }
 
-TEST(pcf_vogel, of_no_radius_with_bilinear_taps_is_a_box_of_one_texel) {
+TEST(pcf_disk, of_no_radius_with_bilinear_taps_is_a_box_of_one_texel) {
   UMBRAMETER_REQUIRE_GL();
-  const auto disk = visibility(plate_scene(), "pcf_vogel", small_map({{"radius_texels", 0.0}}));
+  const auto disk = visibility(plate_scene(), "pcf_disk", small_map({{"radius_texels", 0.0}}));
   const auto box = visibility(plate_scene(), "pcf", small_map({{"filter_width_texels", 1.0}}));
   EXPECT_LT(largest_difference(disk, box), kRoundingOfWeights);
 }
 
-TEST(pcf_vogel, spreads_an_edge_as_far_as_a_disk_of_its_radius) {
+TEST(pcf_disk, spreads_an_edge_as_far_as_a_disk_of_its_radius) {
   UMBRAMETER_REQUIRE_GL();
   // A filter moves the edge's step by its mean |x|: 4 r / (3 pi) for a disk, W / 4 for a box. So the disk
   // of radius 6 changes the hard shadow by as much as a box of 32 / pi.
   const Scene scene = half_plane_scene(light_at_4(LightType::sun, 0.5));
   const auto hard = visibility(scene, "hard", small_map({}));
   const auto disk = visibility(
-      scene, "pcf_vogel", small_map({{"radius_texels", 6.0}, {"taps", int64_t{256}}, {"bilinear", false}}));
+      scene, "pcf_disk", small_map({{"radius_texels", 6.0}, {"taps", int64_t{256}}, {"bilinear", false}}));
   const auto box = visibility(scene, "pcf", small_map({{"filter_width_texels", 32.0 / std::numbers::pi}}));
   EXPECT_NEAR(mean_difference(disk, hard) / mean_difference(box, hard), 1.0, 0.03);
 }
 
-TEST(pcf_vogel, noise_follows_the_seed) {
+TEST(pcf_disk, noise_follows_the_seed) {
   UMBRAMETER_REQUIRE_GL();
   const Scene scene = plate_scene();
-  const ParameterValues still = small_map({{"noise", false}});
-  EXPECT_NE(visibility(scene, "pcf_vogel", small_map({}), 1),
-            visibility(scene, "pcf_vogel", small_map({}), 2));
-  EXPECT_EQ(visibility(scene, "pcf_vogel", still, 1), visibility(scene, "pcf_vogel", still, 2));
+  const ParameterValues still = small_map({{"rotation", std::string("none")}});
+  EXPECT_NE(visibility(scene, "pcf_disk", small_map({}), 1), visibility(scene, "pcf_disk", small_map({}), 2));
+  EXPECT_EQ(visibility(scene, "pcf_disk", still, 1), visibility(scene, "pcf_disk", still, 2));
 }
 
 TEST(pcf_bilinear, grids_of_any_size_are_boxes_of_that_width) {

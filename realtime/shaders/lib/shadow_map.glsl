@@ -6,14 +6,18 @@ bool is_in_map(LightViewData view, ivec2 texel) {
   return texel.x >= 0 && texel.y >= 0 && texel.x < size && texel.y < size;
 }
 
-/// Whether the texel at `lateral` holds a blocker of the receiver; if so `z_blocker` is its distance. Compared at
-/// the texel's centre, where the map was sampled. Outside the map and where it is empty nothing blocks.
-bool find_blocker(sampler2D map, LightViewData view, Receiver receiver, ivec2 texel, out float z_blocker) {
-  if (!is_in_map(view, texel)) return false;
-  float depth_reversed = texelFetch(map, texel, 0).r;
+/// Whether `depth_reversed`, which `texel` holds, is a blocker of the receiver; if so `z_blocker` is its distance.
+/// Compared at the texel's centre, where the map was sampled. Where the map is empty nothing blocks.
+bool is_blocker(LightViewData view, Receiver receiver, ivec2 texel, float depth_reversed, out float z_blocker) {
   if (depth_reversed <= 0.0) return false;
   z_blocker = distance_of_depth(view, depth_reversed);
   return z_blocker < compare_distance(view, receiver, lateral_of_texel(view, vec2(texel) + 0.5));
+}
+
+/// The same of the texel in `map`. Outside the map nothing blocks.
+bool find_blocker(sampler2D map, LightViewData view, Receiver receiver, ivec2 texel, out float z_blocker) {
+  if (!is_in_map(view, texel)) return false;
+  return is_blocker(view, receiver, texel, texelFetch(map, texel, 0).r, z_blocker);
 }
 
 bool is_blocked(sampler2D map, LightViewData view, Receiver receiver, ivec2 texel) {
