@@ -49,11 +49,11 @@ double share_apart(const std::vector<float>& a, const std::vector<float>& b, flo
   return static_cast<double>(apart) / static_cast<double>(a.size());
 }
 
-/// The half plane and a small caster close to the light whose shadow lies beyond the picture: it brings the near
-/// plane to 0.4 and makes the search eleven times as wide as the penumbra.
+/// The half plane and, above it, a small caster 0.6 from the light whose shadow lies on the plate, unseen from below: it
+/// makes a search from the near plane nine times as wide as the penumbra.
 Scene near_caster_scene(const Light& light) {
   Scene scene = half_plane_scene(light);
-  add_floor(scene, {0.1, 0.1}, 3.6, {0.9, 0.9});
+  add_floor(scene, {0.1, 0.1}, 3.4, {-0.5, 0});
   finish_scene(scene);
   return scene;
 }
@@ -67,27 +67,24 @@ double near_caster_rmse(const ParameterValues& parameters) {
 
 TEST(pcss, a_caster_close_to_the_light_costs_nothing_where_it_does_not_stand) {
   UMBRAMETER_REQUIRE_GL();
-  const double alone = half_plane_rmse(light_at_4(LightType::rect, 1.0), "pcss", {});
-  const double shrunk = near_caster_rmse({});
-  const double wide = near_caster_rmse({{"search_shrink", int64_t{0}}});
+  // Spread evenly, the taps of the wide search are too few for the penumbra.
+  const ParameterValues even = {{"search_focus", 0.5}};
+  const double alone = half_plane_rmse(light_at_4(LightType::rect, 1.0), "pcss", even);
+  const double shrunk = near_caster_rmse(even);
+  const double wide = near_caster_rmse(with(even, {{"search_shrink", int64_t{0}}}));
   EXPECT_LT(shrunk, 1.05 * alone);
-  EXPECT_LT(shrunk, wide);
+  EXPECT_GT(wide, 1.5 * alone);
 }
 
-TEST(pcss, narrowing_the_search_loses_no_blocker) {
+TEST(pcss, narrowing_the_search_or_halving_its_map_loses_no_blocker) {
   UMBRAMETER_REQUIRE_GL();
   for (const LightType type : kLightTypes) {
     const Light light = light_at_4(type, 1.0);
-    EXPECT_LE(half_plane_rmse(light, "pcss", many_taps({{"search_shrink", int64_t{4}}})), 0.003)
+    const double wide = half_plane_rmse(light, "pcss", many_taps({{"search_shrink", int64_t{0}}}));
+    EXPECT_LE(half_plane_rmse(light, "pcss", many_taps({{"search_shrink", int64_t{4}}})), wide + 2e-4)
         << to_text(type);
-  }
-}
-
-TEST(pcss, search_in_the_halved_map_finds_the_same_half_plane) {
-  UMBRAMETER_REQUIRE_GL();
-  for (const LightType type : kLightTypes) {
     const ParameterValues halved = many_taps({{"blocker_map", std::string("min_downsampled")}});
-    EXPECT_LE(half_plane_rmse(light_at_4(type, 1.0), "pcss", halved), 0.003) << to_text(type);
+    EXPECT_LE(half_plane_rmse(light, "pcss", halved), wide + 2e-4) << to_text(type);
   }
 }
 

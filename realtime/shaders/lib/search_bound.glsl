@@ -1,6 +1,6 @@
 // How far from the receiver blockers can be, from coarse maps of the nearest depth in their cells: a caster near the
 // light widens the search only where it stands. For techniques with the parameter search_shrink.
-#include "area_light.glsl"
+#include "penumbra.glsl"
 #include "shadow_map.glsl"
 
 #ifdef nearest_8_size
@@ -45,6 +45,9 @@ bool find_search_box(AreaLight light, Receiver receiver, float z, out vec2 low_t
 /// so the nearest one in that box is such a distance too, and its box is smaller.
 float nearest_blocker_bound(AreaLight light, Receiver receiver) {
   float z_search = view_light.depth_range.x;
+#ifdef PENUMBRA_CURVE
+  if (kHasSquaredPenumbra) return z_search;  // its search does not follow the rays
+#endif
   vec2 low_texels;
   vec2 high_texels;
   for (int i = 0; i < SEARCH_SHRINK && z_search < receiver.p_light.z; ++i) {

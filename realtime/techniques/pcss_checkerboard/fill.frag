@@ -28,7 +28,7 @@ float filled(ivec2 px) {
     if (!is_inside || !is_computed(neighbour)) continue;
     float value = texelFetch(packed_visibility, cell_of(neighbour), 0).r;
     float difference = depth_difference(distance_px, camera_distance(neighbour));
-    float weight = 1.0 / (1e-3 + difference);  // const: as published
+    float weight = difference < kBackgroundRatio ? 1.0 / (1e-3 + difference) : 0.0;  // const: as published
     sum += weight * value;
     total += weight;
     if (difference < smallest) nearest = value;
