@@ -12,6 +12,8 @@ struct AreaLight {
   vec2 half_extent;  // FrameData.light_extent.xy
 };
 
+AreaLight frame_light() { return AreaLight(frame.light_type.x, frame.light_extent.xy); }
+
 /// Point `index` of `count` over the light: the square [-1,1]^2 for rect, the unit disk otherwise. `noise` in
 /// [0,1)^2 shifts the square (Cranley and Patterson 1976) or turns the disk.
 vec2 kernel_point(AreaLight light, int index, int count, vec2 noise) {
@@ -19,10 +21,15 @@ vec2 kernel_point(AreaLight light, int index, int count, vec2 noise) {
   return vogel_disk(index, count, kTwoPi * noise.x);
 }
 
+/// 1 on the light's rim, 0 at its centre.
+float kernel_radius(AreaLight light, vec2 kernel) {
+  return light.type == kRect ? max(abs(kernel.x), abs(kernel.y)) : length(kernel);
+}
+
 /// Moves a kernel point of radius r (uniform in area: r^2 is a fraction u of the points) to radius u^focus: 0.5 leaves
 /// it, more crowds the middle, where the rays of small penumbrae are.
 vec2 focused(AreaLight light, vec2 kernel, float focus) {
-  float radius = light.type == kRect ? max(abs(kernel.x), abs(kernel.y)) : length(kernel);
+  float radius = kernel_radius(light, kernel);
   return radius > 0.0 ? kernel * pow(radius, 2.0 * focus - 1.0) : kernel;
 }
 

@@ -13,17 +13,24 @@ Bias bias_of_parameters() {
   return Bias(bias_world, bias_texels, normal_offset_texels, NORMAL_OFFSET_FORM, taps);
 }
 
-/// False on the background, which has no receiver.
-bool fetch_receiver(out Receiver receiver) {
-  ivec2 px = ivec2(gl_FragCoord.xy);
+/// The surface point of pixel `px` (GL's rows). False on the background, which has no receiver.
+bool fetch_receiver_at(ivec2 px, out Receiver receiver) {
   vec4 position = texelFetch(gbuffer_position, px, 0);
   vec3 n_world = texelFetch(gbuffer_normal, px, 0).xyz;
   receiver = make_receiver(view_light, position.xyz, n_world, bias_of_parameters());
   return position.w != 0.0;
 }
 
-/// Where this pixel reads its noise: fixed for a seed.
-vec2 noise_position() {
-  return seeded_position(pixel_position(gl_FragCoord.xy, float(frame.screen_and_seed.y)),
+bool fetch_receiver(out Receiver receiver) {
+  return fetch_receiver_at(ivec2(gl_FragCoord.xy), receiver);
+}
+
+/// Where the pixel at `frag_coord` reads its noise: fixed for a seed.
+vec2 noise_position_at(vec2 frag_coord) {
+  return seeded_position(pixel_position(frag_coord, float(frame.screen_and_seed.y)),
                          frame.screen_and_seed.z);
+}
+
+vec2 noise_position() {
+  return noise_position_at(gl_FragCoord.xy);
 }

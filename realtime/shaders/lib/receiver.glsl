@@ -78,10 +78,10 @@ float nearest_plane_distance(LightViewData view, Receiver receiver, vec2 lateral
   return along_ray / dot(ray, ray);
 }
 
-/// Distance at which the light's ray through `lateral` meets the receiver's tangent plane; never beyond the
-/// receiver itself, because a blocker is always nearer to the light than what it shadows. Exact for planes:
-/// perspective z = n.p / n.(l, 1), orthographic z = (n.p - n.(l, 0)) / n.z (Dou et al. 2014; TECHNIQUES 2.1, B6).
-float plane_distance_at(LightViewData view, Receiver receiver, vec2 lateral) {
+/// Distance at which the light's ray through `lateral` meets the receiver's tangent plane, within the limited slope.
+/// Exact for planes: perspective z = n.p / n.(l, 1), orthographic z = (n.p - n.(l, 0)) / n.z (Dou et al. 2014;
+/// TECHNIQUES 2.1, B6).
+float surface_distance_at(LightViewData view, Receiver receiver, vec2 lateral) {
   vec3 n = receiver.n_light;
   bool ortho = is_orthographic(view);
   float numerator = receiver.plane_distance - (ortho ? dot(n.xy, lateral) : 0.0);
@@ -89,7 +89,18 @@ float plane_distance_at(LightViewData view, Receiver receiver, vec2 lateral) {
   float z = denominator == 0.0 ? -1.0 : numerator / denominator;
   bool meets = ortho ? denominator != 0.0 : z > 0.0;
   if (!meets) return receiver.p_light.z;
-  return min(max(z, nearest_plane_distance(view, receiver, lateral)), receiver.p_light.z);
+  float z_nearest = nearest_plane_distance(view, receiver, lateral);
+  return clamp(z, z_nearest, max(z_nearest, 2.0 * receiver.p_light.z - z_nearest));
+}
+
+/// The same but never beyond the receiver itself, because a blocker is always nearer to the light than what it shadows.
+float plane_distance_at(LightViewData view, Receiver receiver, vec2 lateral) {
+  return min(surface_distance_at(view, receiver, lateral), receiver.p_light.z);
+}
+
+/// Whether taps are compared with the tangent plane, one way or the other.
+bool compares_plane(Receiver receiver) {
+  return !receiver.taps.is_auto && receiver.taps.plane != kNoPlane;
 }
 
 /// World distance, at the receiver's depth, between its own ray and the light's ray through `lateral`.
