@@ -22,5 +22,15 @@ float step_height(sampler2D map, LightViewData view, ivec2 texel, bool is_stored
   return LAPLACIAN == LAPLACIAN_EIGHT ? height / 3.0 : height;  // const: neighbours across a straight step
 }
 
+/// The same, but never more than the largest difference: corners and lines of one texel count more than once.
+float limited_step_height(sampler2D map, LightViewData view, ivec2 texel) {
+  float value = edge_value(map, view, texel, false);
+  float largest = 0.0;
+  for (int i = 0; i < 8; ++i) {  // const: neighbours
+    largest = max(largest, abs(value - edge_value(map, view, texel + kNeighbours[i], false)));
+  }
+  return clamp(step_height(map, view, texel, false), -largest, largest);
+}
+
 /// What is compared with a threshold: both sides of a step, or its far side alone.
 float edge_strength(float height) { return FAR_SIDE_ONLY != 0 ? max(0.0, height) : abs(height); }

@@ -14,7 +14,7 @@ float penumbra_texels(LightViewData view, float z_near, float z_far) {
 
 float physical_strength(ivec2 texel) {
   float z = edge_value(shadow_map, view_light, texel, false);
-  float height = step_height(shadow_map, view_light, texel, false);
+  float height = limited_step_height(shadow_map, view_light, texel);
   if (FAR_SIDE_ONLY != 0 && height < 0.0) return 0.0;
   float z_other = max(view_light.depth_range.x, z - height);
   return penumbra_texels(view_light, min(z, z_other), max(z, z_other));
