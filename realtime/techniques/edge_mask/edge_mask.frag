@@ -4,8 +4,7 @@
 #include "pixel.glsl"
 
 bool is_near_edge(Receiver receiver) {
-  vec2 p_blocks = texel_position(view_light, receiver.lateral) * shadow_map_size.zw * mask_size.xy;
-  return highest_around(mask, p_blocks) > 0.0;
+  return highest_around(mask, textureQueryLevels(mask) - 1, texel_position(view_light, receiver.lateral)) > 0.0;
 }
 
 float visibility_of(Receiver receiver) {

@@ -8,5 +8,5 @@ void main() {
     least *= texel_world(view_light, edge_value(shadow_map, view_light, texel, false));
   }
   float height = step_height(shadow_map, view_light, texel, THRESHOLD_UNIT == THRESHOLD_UNIT_STORED_DEPTH);
-  out_edges = edge_strength(height) >= least ? 1.0 : 0.0;
+  out_mask = edge_strength(height) >= least ? 1.0 : 0.0;
 }

@@ -32,8 +32,8 @@ void main() {
   ivec2 texel = ivec2(gl_FragCoord.xy);
   vec3 thresholds = vec3(threshold_1, threshold_2, threshold_3);
   if (CALIBRATION == CALIBRATION_PAPER) {
-    out_bands = band_of(edge_strength(step_height(shadow_map, view_light, texel, true)), thresholds);
+    out_mask = band_of(edge_strength(step_height(shadow_map, view_light, texel, true)), thresholds);
   } else {
-    out_bands = band_of(physical_strength(texel), thresholds * vec3(width_1_texels, width_2_texels, width_3_texels));
+    out_mask = band_of(physical_strength(texel), thresholds * vec3(width_1_texels, width_2_texels, width_3_texels));
   }
 }

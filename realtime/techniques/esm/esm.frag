@@ -21,7 +21,12 @@ float visibility_of(Receiver receiver) {
   return exponential_visibility(filtered, z - plane_bias, 1.0);
 }
 
+/// Two controls that art asks for and light does not.
+float styled(float visibility) {
+  return max(darkest, darkening == 1.0 ? visibility : pow(visibility, darkening));
+}
+
 void main() {
   Receiver receiver;
-  out_visibility = fetch_receiver(receiver) ? visibility_of(receiver) : 1.0;
+  out_visibility = styled(fetch_receiver(receiver) ? visibility_of(receiver) : 1.0);
 }

@@ -3,6 +3,7 @@
 #include "exponential_warp.glsl"
 #include "filtered_plane.glsl"
 #include "pixel.glsl"
+#include "variance_bound.glsl"
 
 /// What the filter holds of the receiver's own plane. The positive warp is convex: no less than the receiver's own
 /// value, or than that of the plane's nearer half with plane_bias. The negative one is concave: its mean over a plane lies
@@ -29,7 +30,7 @@ float visibility_of(Receiver receiver) {
   vec4 filtered = texture(moments, p_texels * moments_size.zw);
   float z = normalized_distance(view_light, receiver.p_light.z - receiver.bias_world);
   vec2 w = warped(z);
-  vec2 min_deviation = warped_slope(w) * normalized_length(view_light, min_deviation_world);
+  vec2 min_deviation = warped_slope(w) * sqrt(least_variance(view_light));
   vec2 reference = warped_plane(receiver, w);
   float positive = warped_bound(filtered, reference, min_deviation, 0);
   float negative = NEGATIVE_WARP != 0 ? warped_bound(filtered, reference, min_deviation, 1) : 1.0;
