@@ -64,6 +64,8 @@ std::vector<ParameterValue> alternatives(const Parameter& parameter) {
       return others;
     }
     case ParameterType::integer:
+      if (parameter.default_value == ParameterValue(static_cast<int64_t>(parameter.min)))
+        return {static_cast<int64_t>(parameter.max)};
       return {static_cast<int64_t>(parameter.min)};
     case ParameterType::real:
       break;
