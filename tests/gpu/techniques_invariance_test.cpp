@@ -247,7 +247,10 @@ TEST(every_technique, memory_and_timed_passes_are_those_of_its_manifest) {
   UMBRAMETER_REQUIRE_GL();
   const auto renderer = make_realtime_renderer({kRealtime / "techniques", kRealtime / "shaders", {}});
   for (const Technique& technique : techniques()) {
-    RenderRequest request{.width_px = 160, .height_px = 90, .seed = 1, .technique = technique.id};
+    RenderRequest request;
+    request.width_px = 160;
+    request.height_px = 90;
+    request.technique = technique.id;
     request.parameters = quick(technique, 128);
     request.timed_frames = 1;
     SilentProgress progress;

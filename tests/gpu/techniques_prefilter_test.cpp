@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <glm/trigonometric.hpp>
+
 #include <algorithm>
 #include <cmath>
 
