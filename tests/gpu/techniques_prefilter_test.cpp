@@ -85,16 +85,25 @@ Scene foot_scene() {
   return scene;
 }
 
+/// Of the wall; the floor beside it is as dark as any filter makes it.
+float darkest_on_wall(const Frame& frame) {
+  const auto v = frame.image.plane("visibility");
+  const auto x = frame.image.plane("position.x");
+  const auto id = frame.image.plane("primitive_id");
+  float darkest = 1.0f;
+  for (size_t i = 0; i < v.size(); ++i)
+    if (id[i] >= 0.0f && std::abs(x[i]) < 1e-4f) darkest = std::min(darkest, v[i]);
+  return darkest;
+}
+
 TEST(prefiltered, plane_bias_keeps_the_foot_of_a_wall_lit) {
   UMBRAMETER_REQUIRE_GL();
   const Scene scene = foot_scene();
   for (const std::string technique : {"vsm", "vsm_inline", "esm", "evsm"}) {
     ParameterValues values{{"map_size", int64_t{256}}};
-    const auto plain = visibility(scene, technique, values);
+    EXPECT_LT(darkest_on_wall(render(scene, technique, values)), 0.95f) << technique;
     values["plane_bias"] = true;
-    const auto biased = visibility(scene, technique, values);
-    EXPECT_LT(*std::ranges::min_element(plain), 0.9f) << technique;
-    EXPECT_GT(*std::ranges::min_element(biased), 0.97f) << technique;
+    EXPECT_GT(darkest_on_wall(render(scene, technique, values)), 0.97f) << technique;
   }
 }
 
@@ -102,7 +111,7 @@ TEST(vsm, samples_of_a_texel_change_edges_alone) {
   UMBRAMETER_REQUIRE_GL();
   const ParameterValues values{{"map_size", int64_t{256}}, {"filter_width_texels", 1.0}};
   ParameterValues sampled = values;
-  sampled["map_samples"] = int64_t{8};
+  sampled["map_samples"] = int64_t{4};  // as many as every GL has
   const Frame single = render(plate_scene(), "vsm", values);
   const Frame several = render(plate_scene(), "vsm", sampled);
   const auto a = single.image.plane("visibility");
@@ -110,7 +119,7 @@ TEST(vsm, samples_of_a_texel_change_edges_alone) {
   const size_t changed = differing({a.begin(), a.end()}, {b.begin(), b.end()});
   EXPECT_GT(changed, 0u);
   EXPECT_LT(changed, a.size() / 20);
-  EXPECT_GE(several.memory_bytes, single.memory_bytes + 7u * 256 * 256 * 12);
+  EXPECT_GE(several.memory_bytes, single.memory_bytes + 3u * 256 * 256 * 12);
 }
 
 TEST(vsm, mip_levels_act_only_where_a_pixel_covers_texels) {

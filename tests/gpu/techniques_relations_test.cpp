@@ -65,7 +65,7 @@ std::vector<ParameterValue> alternatives(const Parameter& parameter) {
     }
     case ParameterType::integer:
       if (parameter.default_value == ParameterValue(static_cast<int64_t>(parameter.min)))
-        return {static_cast<int64_t>(parameter.max)};
+        return {static_cast<int64_t>(std::max(2 * parameter.min, parameter.min + 1))};
       return {static_cast<int64_t>(parameter.min)};
     case ParameterType::real:
       break;

@@ -1,14 +1,14 @@
 // Edges of a shadow map: the Laplacian of its distances, which is 0 on planes and about the height of a step beside
 // it. For techniques with the parameters of the group edge_filter.
-#include "spaces.glsl"
+#include "shadow_map.glsl"
 
 const ivec2 kNeighbours[8] = ivec2[8](  // const: the four that share a side, then those that share a corner
     ivec2(1, 0), ivec2(-1, 0), ivec2(0, 1), ivec2(0, -1), ivec2(1, 1), ivec2(-1, 1), ivec2(1, -1), ivec2(-1, -1));
 
 /// Distance in the world or, as published, 0 near and 1 far as conventional depth buffers hold it. Empty texels are at
-/// the far plane, texels beyond the map as its last ones.
+/// the far plane, and so is what lies beyond the map: there nothing blocks.
 float edge_value(sampler2D map, LightViewData view, ivec2 texel, bool is_stored_depth) {
-  float depth_reversed = texelFetch(map, clamp(texel, ivec2(0), textureSize(map, 0) - 1), 0).r;
+  float depth_reversed = is_in_map(view, texel) ? texelFetch(map, texel, 0).r : 0.0;
   return is_stored_depth ? 1.0 - depth_reversed : distance_of_depth(view, depth_reversed);
 }
 
