@@ -1,30 +1,11 @@
-// Percentage-closer filtering (Reeves, Salesin and Cook 1987) with a box of real-valued width: texels at the
-// border count by the part of them that the box covers.
-#include "box_filter.glsl"
+// Percentage-closer filtering with one box for all receivers.
+#include "box_pcf.glsl"
 #include "pixel.glsl"
-#include "shadow_map.glsl"
-
-float box_mean(Receiver receiver, float width_texels) {
-  vec2 center = texel_position(view_light, receiver.lateral);
-  vec2 low = center - 0.5 * width_texels;
-  vec2 high = center + 0.5 * width_texels;
-  ivec2 first = ivec2(floor(low));
-  ivec2 last = ivec2(last_texel(low.x, high.x), last_texel(low.y, high.y));
-  vec2 lit_and_total = vec2(0.0);
-  for (int y = first.y; y <= last.y; ++y) {
-    for (int x = first.x; x <= last.x; ++x) {
-      float weight = box_weight(x, low.x, high.x) * box_weight(y, low.y, high.y);
-      float lit = is_blocked(shadow_map, view_light, receiver, ivec2(x, y)) ? 0.0 : 1.0;
-      lit_and_total += weight * vec2(lit, 1.0);
-    }
-  }
-  return lit_and_total.x / lit_and_total.y;
-}
 
 float visibility_of(Receiver receiver) {
   float known;
   if (is_known(view_light, receiver, known)) return known;
-  return box_mean(receiver, filter_width_texels);
+  return box_lit(shadow_map, view_light, receiver, filter_width_texels);
 }
 
 void main() {

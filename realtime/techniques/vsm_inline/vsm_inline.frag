@@ -1,4 +1,5 @@
 // Variance shadow maps whose moments are averaged by each pixel that asks, over a grid of bilinear reads.
+#include "filtered_plane.glsl"
 #include "pixel.glsl"
 #include "variance_bound.glsl"
 
@@ -14,6 +15,7 @@ vec2 grid_moments(vec2 p_texels) {
 float visibility_of(Receiver receiver) {
   float known;
   if (is_known(view_light, receiver, known)) return known;
+  receiver.bias_world += plane_bias_world(view_light, receiver, float(GRID_TAPS));
   vec2 filtered = grid_moments(texel_position(view_light, receiver.lateral));
   float bound = variance_visibility(view_light, receiver, filtered);
   return CONTRAST != 0 ? smoothstep(0.0, 1.0, bound) : bound;

@@ -1,0 +1,39 @@
+// The band of every texel of the shadow map, before bands are dilated: 0 none, 1/3, 2/3, 1.
+#include "area_light.glsl"
+#include "edge_filter.glsl"
+
+/// Width, in texels, of the box whose filter is the penumbra of a step between two distances: the light's width seen
+/// through the step, W (1/z_near - 1/z_far) in tan space, 2 tan a (z_far - z_near) under a sun (TECHNIQUES 2.11, 2.12).
+float penumbra_texels(LightViewData view, float z_near, float z_far) {
+  vec2 half_extent = frame.light_extent.xy;
+  float share = frame.light_type.x == kRect ? 1.0 : 0.9;  // const: half width of the box that is most like a unit disk
+  float width = 2.0 * share * sqrt(half_extent.x * half_extent.y);
+  float spread = is_orthographic(view) ? z_far - z_near : 1.0 / z_near - 1.0 / z_far;
+  return width * spread / texel_lateral(view);
+}
+
+float physical_strength(ivec2 texel) {
+  float z = edge_value(shadow_map, view_light, texel, false);
+  float height = limited_step_height(shadow_map, view_light, texel);
+  if (FAR_SIDE_ONLY != 0 && height < 0.0) return 0.0;
+  float z_other = max(view_light.depth_range.x, z - height);
+  return penumbra_texels(view_light, min(z, z_other), max(z, z_other));
+}
+
+float band_of(float strength, vec3 least) {
+  float band = 0.0;
+  for (int i = 0; i < 3; ++i) {  // const: bands
+    if (strength >= least[i]) band = float(i + 1);
+  }
+  return band / 3.0;  // const: bands
+}
+
+void main() {
+  ivec2 texel = ivec2(gl_FragCoord.xy);
+  vec3 thresholds = vec3(threshold_1, threshold_2, threshold_3);
+  if (CALIBRATION == CALIBRATION_PAPER) {
+    out_mask = band_of(edge_strength(step_height(shadow_map, view_light, texel, true)), thresholds);
+  } else {
+    out_mask = band_of(physical_strength(texel), thresholds * vec3(width_1_texels, width_2_texels, width_3_texels));
+  }
+}
