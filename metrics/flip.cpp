@@ -3,167 +3,138 @@
 #include "core/error.h"
 #include "metrics/checks.h"
 #include "metrics/flip_color.h"
-#include "metrics/flip_features.h"
-#include "metrics/separable_filter.h"
-#include "metrics/tiles.h"
+#include "metrics/flip_map.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <numbers>
 
 namespace umbrameter {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+// The ACES fit (a x^2 + b x) / (c x^2 + d x + e); .6 undoes the exposure in Narkowicz's constants.
+constexpr double kA = 0.6 * 0.6 * 2.51, kB = 0.6 * 0.03, kC = 0.6 * 0.6 * 2.43, kD = 0.6 * 0.59, kE = 0.14;
+constexpr double kBrightTone = 0.85;  // the paper's t
+constexpr float kHighest = 1e9f;      // its square and the curve's constants still fit a float
 
-// The paper's constants: colour exponent, knee of the colour curve.
-constexpr float kColorExponent = 0.7f;
-constexpr float kKneeAt = 0.4f, kKneeValue = 0.95f;
-
-// A contrast sensitivity is a sum of a sqrt(pi / b) exp(-pi^2 d^2 / b), d in degrees (table 1).
-struct Gaussian {
-  double a, b;
-};
-constexpr std::array<Gaussian, 1> kAchromatic = {{{1.0, 0.0047}}};
-constexpr std::array<Gaussian, 1> kRedGreen = {{{1.0, 0.0053}}};
-constexpr std::array<Gaussian, 2> kBlueYellow = {{{34.1, 0.04}, {13.5, 0.025}}};
-constexpr double kWidest = 0.04;
-
-using Planes = std::array<std::vector<float>, 3>;
-
-struct Picture {
-  int width = 0, height = 0;
-  Planes ycxcz;
-};
-
-Picture load(const Image& image, const ColorChannels& channels) {
-  const std::array planes = {image.plane(channels[0]), image.plane(channels[1]), image.plane(channels[2])};
-  Picture out = {image.width, image.height, {}};
-  for (std::vector<float>& plane : out.ycxcz) plane.resize(image.pixel_count());
-  for_each_row(image.height, [&](int y) {
-    const size_t begin = static_cast<size_t>(y) * static_cast<size_t>(image.width);
-    for (size_t i = begin; i < begin + static_cast<size_t>(image.width); ++i) {
-      const glm::vec3 color = ycxcz_from_linear(
-          {linear_from_srgb(planes[0][i]), linear_from_srgb(planes[1][i]), linear_from_srgb(planes[2][i])});
-      for (int k = 0; k < 3; ++k) out.ycxcz[static_cast<size_t>(k)][i] = color[k];
-    }
-  });
-  return out;
-}
-
-// Each Gaussian is separable; their weights in the sum are their shares of the two-dimensional kernel's mass.
-std::vector<float> see(const Picture& picture, size_t channel, std::span<const Gaussian> sensitivity,
-                       double ppd) {
-  const int radius = static_cast<int>(std::ceil(3.0 * std::sqrt(kWidest / (2.0 * kPi * kPi)) * ppd));
-  std::vector<double> mass;
-  double total = 0.0;
-  for (const Gaussian& g : sensitivity) {
-    double row = 0.0;
-    for (int k = -radius; k <= radius; ++k) row += std::exp(-kPi * kPi * k * k / (ppd * ppd * g.b));
-    mass.push_back(g.a * std::sqrt(kPi / g.b) * row * row);
-    total += mass.back();
-  }
-  std::vector<float> sum(picture.ycxcz[channel].size(), 0.0f);
-  for (size_t n = 0; n < sensitivity.size(); ++n) {
-    const double sigma_px = std::sqrt(sensitivity[n].b / (2.0 * kPi * kPi)) * ppd;
-    // Beyond five sigma a weight is below a float's rounding of the sum.
-    const Kernel kernel =
-        gaussian_kernel(sigma_px, std::min(radius, static_cast<int>(std::ceil(5.0 * sigma_px))));
-    const std::vector<float> seen =
-        filter(picture.ycxcz[channel], picture.width, picture.height, kernel, kernel);
-    const float weight = static_cast<float>(mass[n] / total);
-    for (size_t i = 0; i < sum.size(); ++i) sum[i] += weight * seen[i];
-  }
-  return sum;
-}
-
-Planes seen_colors(const Picture& picture, double ppd) {
-  Planes seen = {see(picture, 0, kAchromatic, ppd), see(picture, 1, kRedGreen, ppd),
-                 see(picture, 2, kBlueYellow, ppd)};
-  for_each_row(picture.height, [&](int y) {
-    const size_t begin = static_cast<size_t>(y) * static_cast<size_t>(picture.width);
-    for (size_t i = begin; i < begin + static_cast<size_t>(picture.width); ++i) {
-      const glm::vec3 linear = linear_from_ycxcz({seen[0][i], seen[1][i], seen[2][i]});
-      // Filtering can leave the display's gamut; the paper clamps to it.
-      const glm::vec3 lab =
-          hunt_lab_from_linear({std::clamp(linear.x, 0.0f, 1.0f), std::clamp(linear.y, 0.0f, 1.0f),
-                                std::clamp(linear.z, 0.0f, 1.0f)});
-      for (int k = 0; k < 3; ++k) seen[static_cast<size_t>(k)][i] = lab[k];
-    }
-  });
-  return seen;
-}
-
-// Compresses differences above the knee: what is very different cannot become much more so.
-float color_difference(const glm::vec3& a, const glm::vec3& b, float largest) {
-  const float difference = std::pow(hyab_distance(a, b), kColorExponent);
-  const float knee = kKneeAt * largest;
-  if (difference < knee) return kKneeValue / knee * difference;
-  return kKneeValue + (difference - knee) / (largest - knee) * (1.0f - kKneeValue);
-}
-
-// The largest difference a display can show: green against blue.
-float largest_color_difference() {
-  return std::pow(
-      hyab_distance(hunt_lab_from_linear({0.0f, 1.0f, 0.0f}), hunt_lab_from_linear({0.0f, 0.0f, 1.0f})),
-      kColorExponent);
-}
-
-void summarise(int width, int height, Flip& flip) {
-  std::vector<double> rows(static_cast<size_t>(height), 0.0);
-  for_each_row(height, [&](int y) {
-    const size_t begin = static_cast<size_t>(y) * static_cast<size_t>(width);
-    for (size_t i = begin; i < begin + static_cast<size_t>(width); ++i)
-      rows[static_cast<size_t>(y)] += flip.map[i];
-  });
-  const double pixels = static_cast<double>(flip.map.size());
-  for (const double row : rows) flip.mean += row / pixels;
-  flip.share_above_02 =
-      static_cast<double>(std::count_if(flip.map.begin(), flip.map.end(), [](float v) { return v > 0.2f; })) /
-      pixels;
-  std::vector<float> sorted = flip.map;
-  const auto at = sorted.begin() + static_cast<std::ptrdiff_t>(0.99 * (pixels - 1.0));
-  std::nth_element(sorted.begin(), at, sorted.end());
-  flip.p99 = *at;
-}
-
-}  // namespace
-
-std::optional<Flip> measure_flip(const Image& test, const Image& reference, const ColorChannels& channels,
-                                 const FlipSettings& settings) {
+void require_pictures(const Image& test, const Image& reference, const ColorChannels& channels, float highest,
+                      const FlipSettings& settings) {
   require_same_size(test, reference, "FLIP");
   if (!(settings.pixels_per_degree >= 1.0 && settings.pixels_per_degree <= 1000.0)) {
     fail_input(fmt::format("pixels_per_degree is {}", settings.pixels_per_degree), {}, "1 to 1000");
   }
   const std::vector<uint8_t> everywhere(test.pixel_count(), 1);
   for (const std::string& channel : channels) {
-    require_range(test, channel, everywhere, 0.0f, 1.0f);
-    require_range(reference, channel, everywhere, 0.0f, 1.0f);
+    require_range(test, channel, everywhere, 0.0f, highest);
+    require_range(reference, channel, everywhere, 0.0f, highest);
   }
-  if (test.pixel_count() == 0) return std::nullopt;
+}
 
-  const double ppd = settings.pixels_per_degree;
-  const Picture a = load(test, channels), b = load(reference, channels);
-  const Planes color_a = seen_colors(a, ppd), color_b = seen_colors(b, ppd);
-  const Features feature_a = find_features(a.ycxcz[0], a.width, a.height, ppd);
-  const Features feature_b = find_features(b.ycxcz[0], b.width, b.height, ppd);
-  const float largest = largest_color_difference();
-  Flip out;
-  out.map.resize(test.pixel_count());
-  for_each_row(test.height, [&](int y) {
-    const size_t begin = static_cast<size_t>(y) * static_cast<size_t>(test.width);
-    for (size_t i = begin; i < begin + static_cast<size_t>(test.width); ++i) {
-      const float color = color_difference({color_a[0][i], color_a[1][i], color_a[2][i]},
-                                           {color_b[0][i], color_b[1][i], color_b[2][i]}, largest);
-      const float feature = std::sqrt(std::max(std::abs(feature_a.edge[i] - feature_b.edge[i]),
-                                               std::abs(feature_a.point[i] - feature_b.point[i])) /
-                                      std::numbers::sqrt2_v<float>);
-      out.map[i] = std::pow(color, 1.0f - std::min(feature, 1.0f));
+// Rows of `image`, each value through `linear_from`.
+template <class LinearFrom>
+RowSource rows_of(const Image& image, const ColorChannels& channels, const LinearFrom& linear_from) {
+  const std::array planes = {image.plane(channels[0]), image.plane(channels[1]), image.plane(channels[2])};
+  const size_t width = static_cast<size_t>(image.width);
+  return [planes, width, linear_from](int y, const LinearRow& row) {
+    const std::array<std::span<float>, 3> to = {row.red, row.green, row.blue};
+    for (size_t k = 0; k < 3; ++k) {
+      const float* from = planes[k].data() + static_cast<size_t>(y) * width;
+      for (size_t x = 0; x < width; ++x) to[k][x] = linear_from(from[x]);
     }
-  });
-  summarise(test.width, test.height, out);
+  };
+}
+
+// Exact, by counting: first the upper half of the bits, then the lower half among those that share it. Floats of 0
+// or more sort as their bits do.
+float nth_smallest(const std::vector<float>& values, size_t n) {
+  const auto bits_at = [&](size_t i) { return std::bit_cast<uint32_t>(values[i]); };
+  const auto bin_of_nth = [&n](const std::vector<uint32_t>& counts) {
+    uint32_t bin = 0;
+    for (; n >= counts[bin]; ++bin) n -= counts[bin];
+    return bin;
+  };
+  std::vector<uint32_t> counts(65536, 0);
+  for (size_t i = 0; i < values.size(); ++i) ++counts[bits_at(i) >> 16];
+  const uint32_t upper = bin_of_nth(counts);
+  std::fill(counts.begin(), counts.end(), 0u);
+  for (size_t i = 0; i < values.size(); ++i) {
+    if (bits_at(i) >> 16 == upper) ++counts[bits_at(i) & 0xffff];
+  }
+  return std::bit_cast<float>(upper << 16 | bin_of_nth(counts));
+}
+
+Flip summarised(std::vector<float> map) {
+  Flip flip;
+  flip.map = std::move(map);
+  const double pixels = static_cast<double>(flip.map.size());
+  for (const float value : flip.map) {
+    flip.mean += value;
+    flip.share_above_02 += value > 0.2f ? 1.0 : 0.0;
+  }
+  flip.mean /= pixels;
+  flip.share_above_02 /= pixels;
+  flip.p99 = nth_smallest(flip.map, static_cast<size_t>(0.99 * (pixels - 1.0)));
+  return flip;
+}
+
+std::vector<float> luminances_above_0(const Image& image, const ColorChannels& channels) {
+  const auto red = image.plane(channels[0]), green = image.plane(channels[1]), blue = image.plane(channels[2]);
+  std::vector<float> out;
+  for (size_t i = 0; i < red.size(); ++i) {
+    const float luminance = (kRelativeFromLinear * glm::vec3(red[i], green[i], blue[i])).y;
+    if (luminance > 0.0f) out.push_back(luminance);
+  }
   return out;
+}
+
+}  // namespace
+
+std::optional<Flip> measure_flip(const Image& test, const Image& reference, const ColorChannels& channels,
+                                 const FlipSettings& settings) {
+  require_pictures(test, reference, channels, 1.0f, settings);
+  if (test.pixel_count() == 0) return std::nullopt;
+  const auto linear = [](float encoded) { return linear_from_srgb(encoded); };
+  return summarised(flip_map(rows_of(test, channels, linear), rows_of(reference, channels, linear), test.width,
+                             test.height, settings.pixels_per_degree));
+}
+
+float aces_tone(float linear) {
+  constexpr auto a = static_cast<float>(kA), b = static_cast<float>(kB), c = static_cast<float>(kC),
+                 d = static_cast<float>(kD), e = static_cast<float>(kE);
+  return linear * (a * linear + b) / (linear * (c * linear + d) + e);
+}
+
+std::optional<ExposureRange> exposure_range(const Image& reference, const ColorChannels& channels) {
+  const std::vector<float> luminances = luminances_above_0(reference, channels);
+  if (luminances.empty()) return std::nullopt;
+  // The larger root of tone(x) = t, a quadratic: where the curve reaches t.
+  const double square = kA - kBrightTone * kC, linear = kB - kBrightTone * kD, constant = -kBrightTone * kE;
+  const double bright = (-linear + std::sqrt(linear * linear - 4.0 * square * constant)) / (2.0 * square);
+  const double largest = *std::max_element(luminances.begin(), luminances.end());
+  const double median = nth_smallest(luminances, luminances.size() / 2);
+  ExposureRange range = {std::log2(bright / largest), std::log2(bright / median), 0};
+  range.count = std::max(2, static_cast<int>(std::ceil(range.stop - range.start)));
+  return range;
+}
+
+std::optional<Flip> measure_hdr_flip(const Image& test, const Image& reference, const ColorChannels& channels,
+                                     const FlipSettings& settings) {
+  require_pictures(test, reference, channels, kHighest, settings);
+  const auto range = exposure_range(reference, channels);
+  if (!range) return std::nullopt;
+  std::vector<float> worst(test.pixel_count(), 0.0f);
+  for (int n = 0; n < range->count; ++n) {
+    const double stops = range->start + (range->stop - range->start) * n / (range->count - 1);
+    const auto exposed = [scale = static_cast<float>(std::exp2(stops))](float linear) {
+      const float tone = aces_tone(std::min(linear * scale, kHighest));
+      return tone < 1.0f ? tone : 1.0f;
+    };
+    const std::vector<float> map = flip_map(rows_of(test, channels, exposed), rows_of(reference, channels, exposed),
+                                            test.width, test.height, settings.pixels_per_degree);
+    for (size_t i = 0; i < map.size(); ++i) worst[i] = std::max(worst[i], map[i]);
+  }
+  return summarised(std::move(worst));
 }
 
 }  // namespace umbrameter

@@ -1,8 +1,9 @@
 #pragma once
 // How different two pictures look when flipped between: LDR-FLIP (Andersson, Nilsson, Akenine-Moller,
-// Oskarsson, Astrom, Fairchild 2020, "FLIP: A difference evaluator for alternating images", HPG). A second
-// opinion on the lit picture, not a measure of shadows: its mean cannot tell a leak from a benign change
-// (METRICS 5b).
+// Oskarsson, Astrom, Fairchild 2020, "FLIP: A difference evaluator for alternating images", HPG) and HDR-FLIP
+// (Andersson, Nilsson, Shirley, Akenine-Moller 2021, "Visualizing errors in rendered high dynamic range
+// images", Eurographics). A second opinion on the lit picture, not a measure of shadows: its mean cannot tell
+// a leak from a benign change (METRICS 5b).
 
 #include "core/image.h"
 
@@ -13,7 +14,7 @@
 
 namespace umbrameter {
 
-/// Red, green, blue: names of planes with sRGB-encoded display values in [0,1]. Grey: one name thrice.
+/// Red, green, blue: names of planes. Grey: one name thrice.
 using ColorChannels = std::array<std::string, 3>;
 
 struct FlipSettings {
@@ -27,8 +28,29 @@ struct Flip {
   double share_above_02 = 0.0;  // of pixels
 };
 
-/// Absent for an empty picture. Error{input} on size mismatch, missing channels, NaN, values outside [0,1].
+/// Of sRGB-encoded display values in [0,1]. Absent for an empty picture. Error{input} on size mismatch, missing
+/// channels, NaN, values outside [0,1].
 std::optional<Flip> measure_flip(const Image& test, const Image& reference, const ColorChannels& channels,
                                  const FlipSettings& settings = {});
+
+/// Exposures in stops: start, stop and `count` of them at even steps, both ends included.
+struct ExposureRange {
+  double start = 0.0;
+  double stop = 0.0;
+  int count = 0;
+};
+
+/// HDR-FLIP's range: the ACES curve brings the reference's largest luminance to .85 at `start` and its median to
+/// .85 at `stop`; at least two exposures, at most one stop apart. Our addition: the median is of pixels that are not
+/// black. Absent when all are.
+std::optional<ExposureRange> exposure_range(const Image& reference, const ColorChannels& channels);
+
+/// The ACES curve of HDR-FLIP (Narkowicz's fit without its exposure), before clamping to [0,1].
+float aces_tone(float linear);
+
+/// HDR-FLIP of linear BT.709 values of 0 or more: pixel by pixel the largest LDR-FLIP over the exposures. Absent for
+/// an empty picture and a black reference. Error{input} as measure_flip.
+std::optional<Flip> measure_hdr_flip(const Image& test, const Image& reference, const ColorChannels& channels,
+                                     const FlipSettings& settings = {});
 
 }  // namespace umbrameter

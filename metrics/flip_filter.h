@@ -1,0 +1,33 @@
+#pragma once
+// The filters of FLIP's observer: contrast sensitivity, edges and points, all separable.
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace umbrameter {
+
+/// Weights of taps 0..radius. Even: tap -k weighs what k does; odd: its negative, and tap 0 nothing.
+using HalfKernel = std::vector<float>;
+
+/// Blue-yellow is the sum of two separable Gaussians, whose shares its `columns` carry.
+struct ObserverKernels {
+  HalfKernel luminance, red_green;
+  std::array<HalfKernel, 2> blue_yellow_rows, blue_yellow_columns;
+  HalfKernel smooth, point;  // even: Gaussian and its second derivative
+  HalfKernel edge;           // odd: the first derivative
+  size_t radius = 0;         // of the widest
+};
+
+/// `ppd` pixels per degree.
+ObserverKernels observer_kernels(double ppd);
+
+/// Filtered values come in blocks of this many floats; rows are padded to it.
+inline constexpr size_t kFilterBlock = 16;
+
+/// to[x] += sum over k of the tap k's weight times centre[k][x], for x < count (a multiple of kFilterBlock). `centre`
+/// points at the middle of an array of rows: along rows, row k is the same one shifted by k.
+void add_even(const float* const* centre, const HalfKernel& kernel, size_t count, float* to);
+void add_odd(const float* const* centre, const HalfKernel& kernel, size_t count, float* to);
+
+}  // namespace umbrameter
