@@ -1,5 +1,7 @@
 #include "metrics/contact_hardening.h"
 
+#include "core/statistics.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -32,13 +34,6 @@ std::vector<Point> evenly_picked(const std::vector<Point>& points) {
   std::vector<Point> picked;
   for (size_t k = 0; k < kMost; ++k) picked.push_back(points[k * (points.size() - 1) / (kMost - 1)]);
   return picked;
-}
-
-double median(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  if (values.size() % 2 == 1) return *middle;
-  return 0.5 * (*middle + *std::max_element(values.begin(), middle));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "metrics/parity.h"
 
 #include "core/error.h"
+#include "core/statistics.h"
 #include "metrics/checks.h"
 #include "metrics/surface.h"
 #include "metrics/tiles.h"
@@ -82,13 +83,6 @@ ParityClass classify(const Judge& judge, size_t i, TileCounts& counts) {
   return ParityClass::agrees;
 }
 
-double median(std::vector<float>& values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 }  // namespace
 
 Parity compare_surfaces(const Image& test, const Image& reference, const double eye_world[3],
@@ -132,7 +126,7 @@ Parity compare_surfaces(const Image& test, const Image& reference, const double 
   out.coverage_mismatch = count(ParityClass::coverage);
   out.surface_mismatch = count(ParityClass::surface);
   out.irradiance_mismatch = count(ParityClass::irradiance);
-  out.median_relative_depth_error = median(depth_errors);
+  if (!depth_errors.empty()) out.median_relative_depth_error = median(std::move(depth_errors));
   if (out.covered > 0) {
     out.agreement = static_cast<double>(count(ParityClass::agrees)) / static_cast<double>(out.covered);
   } else {

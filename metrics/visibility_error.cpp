@@ -23,6 +23,7 @@ struct TileSums {
   std::array<RegionSums, 3> regions;  // indexed by Region
   double dark = 0.0, bright = 0.0;    // max(0, R - V), max(0, V - R)
   double variance = 0.0;
+  double product_variance = 0.0;  // of the products' sum, from the reference's noise
   double max_error = 0.0;
   bool in_range = true;
 };
@@ -56,7 +57,10 @@ void add_pixel(const Planes& planes, size_t i, double epsilon, TileSums& sums) {
   region.signed_error += error;
   sums.dark += std::max(0.0, -error);
   sums.bright += std::max(0.0, error);
-  sums.variance += static_cast<double>(se) * se;
+  // Each half has variance 2 se^2: var (V - A)(V - B) = 4 e^2 se^2 + 4 se^4, and error^2 estimates e^2 + se^2.
+  const double variance = static_cast<double>(se) * se;
+  sums.variance += variance;
+  sums.product_variance += 4.0 * error * error * variance;
   sums.max_error = std::max(sums.max_error, std::abs(error));
 }
 
@@ -75,6 +79,7 @@ void add(const TileSums& tile, TileSums& total) {
   total.dark += tile.dark;
   total.bright += tile.bright;
   total.variance += tile.variance;
+  total.product_variance += tile.product_variance;
   total.max_error = std::max(total.max_error, tile.max_error);
   total.in_range = total.in_range && tile.in_range;
 }
@@ -157,6 +162,7 @@ VisibilityError measure_visibility_error(const Image& test, const Image& referen
   out.bias = (total.bright - total.dark) / scored;
   out.noise_floor_mse = total.variance / scored;
   out.max_error = total.max_error;
+  out.mse_noise_sd = std::sqrt(total.product_variance) / scored;
   out.lit = region_error(total.regions[static_cast<size_t>(Region::lit)], scored);
   out.umbra = region_error(total.regions[static_cast<size_t>(Region::umbra)], scored);
   out.penumbra = region_error(total.regions[static_cast<size_t>(Region::penumbra)], scored);

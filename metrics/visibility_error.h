@@ -40,6 +40,7 @@ struct VisibilityError {
   std::optional<double> noise_floor_mse;  // mean visibility_se^2: what MAE-like numbers cannot resolve below
   std::optional<double> max_error;        // max |V - R|
   RegionError lit, umbra, penumbra;
+  std::optional<double> mse_noise_sd;  // of `mse`, from the reference's samples alone
 };
 
 struct VisibilityErrorSettings {

@@ -1,6 +1,7 @@
 #include "realtime/harness/timers.h"
 
 #include "core/error.h"
+#include "core/statistics.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,13 +20,6 @@ double query_ms(const Query& query) {
   GLuint64 nanoseconds = 0;
   glGetQueryObjectui64v(query.id(), GL_QUERY_RESULT, &nanoseconds);
   return static_cast<double>(nanoseconds) * 1e-6;
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  if (values.size() % 2 == 1) return *middle;
-  return 0.5 * (*middle + *std::max_element(values.begin(), middle));
 }
 
 }  // namespace
@@ -97,7 +91,7 @@ std::vector<PassTime> PassTimers::results() const {
 
 MedianSpread median_spread(std::span<const double> values) {
   if (values.empty()) return {};
-  const double middle = median({values.begin(), values.end()});
+  const double middle = median(std::vector<double>(values.begin(), values.end()));
   std::vector<double> deviations;
   for (const double value : values) deviations.push_back(std::abs(value - middle));
   return {middle, median(std::move(deviations))};

@@ -1,0 +1,22 @@
+#pragma once
+// Statistics that several rooms need.
+
+#include "core/error.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace umbrameter {
+
+/// The middle value of at least one; of an even number the mean of the middle two.
+template <class T>
+double median(std::vector<T> values) {
+  UMBRAMETER_ASSERT(!values.empty(), "the median of nothing");
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  const double upper = static_cast<double>(*middle);
+  if (values.size() % 2 == 1) return upper;
+  return 0.5 * (upper + static_cast<double>(*std::max_element(values.begin(), middle)));
+}
+
+}  // namespace umbrameter
