@@ -5,6 +5,7 @@
 #include "core/image_io.h"
 #include "study/diagnosis_format.h"
 #include "study/format.h"
+#include "study/judgement_format.h"
 #include "study/results_json.h"
 
 #include <fmt/format.h>
@@ -15,6 +16,9 @@ namespace {
 struct ScoreOptions {
   std::string test;
   std::string reference;
+  std::string baseline;
+  std::string metrics;
+  std::optional<double> limit_rmse;
 };
 
 std::string region_line(const char* name, const RegionError& region) {
@@ -46,17 +50,36 @@ std::string score_text(const Score& score) {
   text += "largest |error|  " + format_error(error.max_error) + "\n";
   text += region_line("lit", error.lit) + region_line("penumbra", error.penumbra) +
           region_line("umbra", error.umbra);
+  text += term_lines(judgement_lines(score.judgement));
   if (!score.diagnosis) return text;
   return text + term_lines(penumbra_lines(*score.diagnosis)) + term_lines(fault_lines(*score.diagnosis));
+}
+
+void add_verdict(const std::string& baseline_file, const Image& test, const Image& reference,
+                 const glm::dvec3& eye_world, Score& score) {
+  const Image baseline = with_visibility(read_image(baseline_file), baseline_file);
+  const ScoreSettings error_only = {choose_metrics("error"), {}};
+  const Score baseline_score = score_image(baseline, reference, eye_world, error_only);
+  if (!score.error || !baseline_score.error) return;
+  score.judgement.verdict =
+      judge_against({test, score.mask}, {baseline, baseline_score.mask}, baseline_file, reference);
+}
+
+bool is_above_limit(const Score& score) {
+  return score.judgement.limit && score.judgement.limit->outcome == LimitOutcome::fail;
 }
 
 int score(const ScoreOptions& options, const GlobalOptions& global) {
   const Image test = with_visibility(read_image(options.test), options.test);
   const Image reference = read_image(options.reference);
-  const Score result = score_image(test, reference, eye_of(reference, options.reference));
+  const glm::dvec3 eye_world = eye_of(reference, options.reference);
+  const ScoreSettings settings = {choose_metrics(options.metrics), options.limit_rmse};
+  Score result = score_image(test, reference, eye_world, settings);
+  if (!options.baseline.empty()) add_verdict(options.baseline, test, reference, eye_world, result);
   print_answer(global.json ? to_json_text(result, options.test, options.reference) : score_text(result));
   if (result.no_diagnosis) print_error("the faults could not be told apart: " + result.no_diagnosis->message);
-  if (result.parity.passes) return kExitFine;
+  if (is_above_limit(result)) print_error("the RMSE is above --limit");
+  if (result.parity.passes) return is_above_limit(result) ? kExitGateFailed : kExitFine;
   print_error("the image and the reference show other surfaces; no score");
   return kExitGateFailed;
 }
@@ -71,6 +94,10 @@ void add_score(CLI::App& app, CommandLine& line) {
   verb->add_option("test", options->test, "image: channel 'visibility', 'Y', a single channel, or grey RGB")
       ->required();
   verb->add_option("--reference", options->reference, "EXR made by 'umbrameter reference'")->required();
+  verb->add_option("--baseline", options->baseline, "another image to compare with, pixel by pixel");
+  verb->add_option("--limit", options->limit_rmse, "RMSE to keep; exit code 1 when it is above for certain")
+      ->check(CLI::PositiveNumber);
+  verb->add_option("--metrics", options->metrics, kMetricsHelp);
   verb->callback([options, &line] { line.verb = [options, &line] { return score(*options, line.global); }; });
 }
 

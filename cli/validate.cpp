@@ -6,6 +6,7 @@
 #include "cli/validation_text.h"
 #include "core/error.h"
 #include "core/files.h"
+#include "core/names.h"
 #include "reference/reference.h"
 #include "report/report.h"
 #include "study/metadata.h"
@@ -13,6 +14,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <optional>
 #include <set>
 
 namespace umbrameter {
@@ -22,6 +25,9 @@ struct ValidateOptions {
   std::vector<std::string> scenes;
   std::vector<std::string> techniques;
   QualityOptions quality;
+  std::string metrics;
+  std::string baseline;
+  std::optional<double> limit_rmse;
 };
 
 struct Workload {
@@ -91,7 +97,16 @@ std::vector<TechniqueRun> choose_techniques(const std::vector<std::string>& give
   return runs;
 }
 
-ValidationPlan make_plan(const Quality& quality, std::vector<TechniqueRun> techniques) {
+void check_baseline(const std::string& baseline, const std::vector<TechniqueRun>& techniques) {
+  std::vector<std::string> labels;
+  for (const TechniqueRun& run : techniques) labels.push_back(run.label);
+  if (baseline.empty() || std::ranges::find(labels, baseline) != labels.end()) return;
+  fail_input(fmt::format("the baseline '{}' is not among the techniques", baseline), {},
+             suggest_name(baseline, labels));
+}
+
+ValidationPlan make_plan(const Quality& quality, std::vector<TechniqueRun> techniques,
+                         const ValidateOptions& options) {
   ValidationPlan plan;
   plan.quality = quality.name;
   plan.width_px = quality.width_px;
@@ -100,7 +115,11 @@ ValidationPlan make_plan(const Quality& quality, std::vector<TechniqueRun> techn
   plan.samples_per_pixel = quality.samples_per_pixel;
   plan.target_se = quality.target_se;
   plan.timed_frames = quality.timed_frames;
+  check_baseline(options.baseline, techniques);
   plan.techniques = std::move(techniques);
+  plan.metrics = choose_metrics(options.metrics);
+  plan.baseline = options.baseline;
+  plan.limit_rmse = options.limit_rmse;
   return plan;
 }
 
@@ -121,7 +140,8 @@ void publish(const std::filesystem::path& staged, const std::filesystem::path& o
 }
 
 int verdict(const Results& results) {
-  int code = parity_passes(results) ? kExitFine : kExitGateFailed;
+  int code = parity_passes(results) && !exceeds_limit(results) ? kExitFine : kExitGateFailed;
+  if (exceeds_limit(results)) print_error("at least one technique exceeds --limit");
   for (const Failure& failure : all_failures(results)) {
     print_error(failure.message);
     code = std::max(code, exit_code(failure.kind));
@@ -140,7 +160,7 @@ int validate(const ValidateOptions& options, const GlobalOptions& global) {
   const Quality quality = choose_quality(options.quality);
   const Home home = find_home();
   const SceneSearch search = scene_search(global, home);
-  const ValidationPlan plan = make_plan(quality, choose_techniques(options.techniques, home));
+  const ValidationPlan plan = make_plan(quality, choose_techniques(options.techniques, home), options);
   const std::filesystem::path out = global.out.empty() ? "out" : global.out;
   check_output(out);
   const Staging staging(out);
@@ -178,6 +198,12 @@ void add_validate(CLI::App& app, CommandLine& line) {
           "--technique", options->techniques,
           "ID[:name=value,...], ID may be a folder, preset=NAME chooses a preset; repeatable; none = all")
       ->allow_extra_args(false);
+  verb->add_option("--baseline", options->baseline,
+                   "label of the technique that verdicts compare with (default: the first)");
+  verb->add_option("--limit", options->limit_rmse,
+                   "RMSE that techniques must keep; exit code 1 when one does not")
+      ->check(CLI::PositiveNumber);
+  verb->add_option("--metrics", options->metrics, kMetricsHelp);
   add_quality_options(*verb, options->quality);
   verb->callback(
       [options, &line] { line.verb = [options, &line] { return validate(*options, line.global); }; });

@@ -3,18 +3,28 @@
 #include "cli/console.h"
 #include "study/diagnosis_format.h"
 #include "study/format.h"
+#include "study/judgement_format.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace umbrameter {
 namespace {
+
+std::string verdict_cell(const SceneResult& scene, const TechniqueResult& run) {
+  const bool is_baseline = std::ranges::any_of(scene.techniques, [&](const TechniqueResult& other) {
+    return other.judgement.verdict && other.judgement.verdict->baseline == run.label;
+  });
+  return is_baseline ? "baseline" : format_verdict(run.judgement.verdict);
+}
 
 std::vector<std::string> row(const SceneResult& scene, const TechniqueResult& run) {
   const std::string time = format_time(total_time(run.pass_times));
   const std::string memory = run.memory_bytes > 0 ? format_bytes(run.memory_bytes) : kNotApplicable;
   if (!run.error) {
     const char* reason = run.failure ? "failed" : scene.parity ? "void" : "not compared";
-    return {scene.name, run.label, reason, "", "", "", "", "", time, memory};
+    return {scene.name, run.label, reason, "", "", "", "", "", "", time, memory};
   }
   const VisibilityError& error = *run.error;
   return {scene.name,
@@ -25,6 +35,7 @@ std::vector<std::string> row(const SceneResult& scene, const TechniqueResult& ru
           format_error(error.under_shadowing),
           format_error(region_rmse(error.penumbra)),
           format_worst_fault(run.diagnosis),
+          verdict_cell(scene, run),
           time,
           memory};
 }
@@ -35,7 +46,7 @@ std::string table(const Results& results) {
     for (const TechniqueResult& run : scene.techniques) rows.push_back(row(scene, run));
   }
   return format_table({"scene", "technique", "RMSE [95 %]", "mean", "over", "under", "penumbra",
-                       "worst fault", "time", "memory"},
+                       "worst fault", "verdict", "time", "memory"},
                       rows);
 }
 
@@ -46,6 +57,9 @@ std::string scene_lists(const Results& results) {
     for (const std::string& warning : scene.warnings)
       text += fmt::format("{}: warning: {}\n", scene.name, warning);
     for (const TechniqueResult& run : scene.techniques) {
+      for (const auto& [term, meaning] : judgement_lines(run.judgement)) {
+        text += fmt::format("{}, {}: {}: {}\n", scene.name, run.label, term, meaning);
+      }
       for (const std::string& warning : run.warnings) {
         text += fmt::format("{}, {}: warning: {}\n", scene.name, run.label, warning);
       }

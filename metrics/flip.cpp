@@ -79,7 +79,8 @@ Flip summarised(std::vector<float> map) {
 }
 
 std::vector<float> luminances_above_0(const Image& image, const ColorChannels& channels) {
-  const auto red = image.plane(channels[0]), green = image.plane(channels[1]), blue = image.plane(channels[2]);
+  const auto red = image.plane(channels[0]), green = image.plane(channels[1]),
+             blue = image.plane(channels[2]);
   std::vector<float> out;
   for (size_t i = 0; i < red.size(); ++i) {
     const float luminance = (kRelativeFromLinear * glm::vec3(red[i], green[i], blue[i])).y;
@@ -95,8 +96,8 @@ std::optional<Flip> measure_flip(const Image& test, const Image& reference, cons
   require_pictures(test, reference, channels, 1.0f, settings);
   if (test.pixel_count() == 0) return std::nullopt;
   const auto linear = [](float encoded) { return linear_from_srgb(encoded); };
-  return summarised(flip_map(rows_of(test, channels, linear), rows_of(reference, channels, linear), test.width,
-                             test.height, settings.pixels_per_degree));
+  return summarised(flip_map(rows_of(test, channels, linear), rows_of(reference, channels, linear),
+                             test.width, test.height, settings.pixels_per_degree));
 }
 
 float aces_tone(float linear) {
@@ -130,8 +131,9 @@ std::optional<Flip> measure_hdr_flip(const Image& test, const Image& reference, 
       const float tone = aces_tone(std::min(linear * scale, kHighest));
       return tone < 1.0f ? tone : 1.0f;
     };
-    const std::vector<float> map = flip_map(rows_of(test, channels, exposed), rows_of(reference, channels, exposed),
-                                            test.width, test.height, settings.pixels_per_degree);
+    const std::vector<float> map =
+        flip_map(rows_of(test, channels, exposed), rows_of(reference, channels, exposed), test.width,
+                 test.height, settings.pixels_per_degree);
     for (size_t i = 0; i < map.size(); ++i) worst[i] = std::max(worst[i], map[i]);
   }
   return summarised(std::move(worst));

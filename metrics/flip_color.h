@@ -76,7 +76,8 @@ inline glm::vec3 linear_from_ycxcz(const glm::vec3& ycxcz) {
 /// CIE 15: cube root above (6/29)^3, its tangent line below.
 inline float lab_curve(float relative) {
   constexpr float kDelta = 6.0f / 29.0f;
-  const float cube_root = root<3>(relative), line = relative * (1.0f / (3.0f * kDelta * kDelta)) + 4.0f / 29.0f;
+  const float cube_root = root<3>(relative),
+              line = relative * (1.0f / (3.0f * kDelta * kDelta)) + 4.0f / 29.0f;
   return relative > kDelta * kDelta * kDelta ? cube_root : line;
 }
 

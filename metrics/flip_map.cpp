@@ -57,7 +57,8 @@ class PaddedRow {
   std::span<float> pixels() { return {values_.data() + radius_, width_}; }
   void repeat_border() {
     std::fill_n(values_.begin(), radius_, pixels().front());
-    std::fill(values_.begin() + static_cast<std::ptrdiff_t>(radius_ + width_), values_.end(), pixels().back());
+    std::fill(values_.begin() + static_cast<std::ptrdiff_t>(radius_ + width_), values_.end(),
+              pixels().back());
   }
   const float* const* centre() const { return taps_.data() + radius_; }
 
@@ -89,7 +90,8 @@ void filter_rows(const RowSource& source, const ObserverKernels& kernels, size_t
     source(y, pixels);
     ycxcz_in_place(pixels);
     for (PaddedRow& row : color) row.repeat_border();
-    for (int plane = 0; plane < kPlanes; ++plane) std::fill_n(out.row(static_cast<Plane>(plane), y), count, 0.0f);
+    for (int plane = 0; plane < kPlanes; ++plane)
+      std::fill_n(out.row(static_cast<Plane>(plane), y), count, 0.0f);
     add_even(color[0].centre(), kernels.luminance, count, out.row(kLuminance, y));
     add_even(color[1].centre(), kernels.red_green, count, out.row(kRedGreen, y));
     add_even(color[2].centre(), kernels.blue_yellow_rows[0], count, out.row(kBlueYellow0, y));
@@ -149,7 +151,8 @@ class ColumnFilter {
  private:
   const float* const* centre(Plane plane) {
     const int radius = static_cast<int>(kernels_.radius);
-    for (int k = -radius; k <= radius; ++k) taps_[static_cast<size_t>(k + radius)] = rows_.row(plane, y_ + k) + x0_;
+    for (int k = -radius; k <= radius; ++k)
+      taps_[static_cast<size_t>(k + radius)] = rows_.row(plane, y_ + k) + x0_;
     return taps_.data() + radius;
   }
 
@@ -178,15 +181,16 @@ float color_difference(const glm::vec3& a, const glm::vec3& b, float largest) {
   return difference < knee ? below : above;
 }
 
-void compare_tile_row(FilteredRows& rows_a, FilteredRows& rows_b, const ObserverKernels& kernels, int x0, int y,
-                      size_t count, float* map) {
+void compare_tile_row(FilteredRows& rows_a, FilteredRows& rows_b, const ObserverKernels& kernels, int x0,
+                      int y, size_t count, float* map) {
   static const float largest = largest_color_difference();
   SeenRow a, b;
   ColumnFilter(rows_a, kernels, x0, y, padded(count)).see(a);
   ColumnFilter(rows_b, kernels, x0, y, padded(count)).see(b);
   TileRow flip;
   for (size_t x = 0; x < kTile_px; ++x) {
-    const float color = color_difference({a.lightness[x], a.a[x], a.b[x]}, {b.lightness[x], b.a[x], b.b[x]}, largest);
+    const float color =
+        color_difference({a.lightness[x], a.a[x], a.b[x]}, {b.lightness[x], b.a[x], b.b[x]}, largest);
     const float edge = std::abs(a.edge[x] - b.edge[x]), point = std::abs(a.point[x] - b.point[x]);
     const float feature = std::sqrt((edge > point ? edge : point) * (1.0f / std::numbers::sqrt2_v<float>));
     flip[x] = fast_pow(color, 1.0f - (feature < 1.0f ? feature : 1.0f));
@@ -196,7 +200,8 @@ void compare_tile_row(FilteredRows& rows_a, FilteredRows& rows_b, const Observer
 
 }  // namespace
 
-std::vector<float> flip_map(const RowSource& test, const RowSource& reference, int width, int height, double ppd) {
+std::vector<float> flip_map(const RowSource& test, const RowSource& reference, int width, int height,
+                            double ppd) {
   const ObserverKernels kernels = observer_kernels(ppd);
   const int radius = static_cast<int>(kernels.radius), kept = kBand_px + 2 * radius;
   const size_t columns = static_cast<size_t>(width);
@@ -211,7 +216,8 @@ std::vector<float> flip_map(const RowSource& test, const RowSource& reference, i
     tbb::parallel_for(0, (width + kTile_px - 1) / kTile_px, [&](int tile) {
       const int x0 = tile * kTile_px;
       for (int y = y0; y < y1; ++y) {
-        compare_tile_row(rows_a, rows_b, kernels, x0, y, std::min(columns - static_cast<size_t>(x0), size_t{kTile_px}),
+        compare_tile_row(rows_a, rows_b, kernels, x0, y,
+                         std::min(columns - static_cast<size_t>(x0), size_t{kTile_px}),
                          map.data() + static_cast<size_t>(y) * columns + static_cast<size_t>(x0));
       }
     });

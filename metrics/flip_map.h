@@ -14,6 +14,7 @@ struct LinearRow {
 using RowSource = std::function<void(int y, const LinearRow& row)>;
 
 /// [height][width] in [0,1], 0 = equal; `ppd` pixels per degree. The same bits with any number of threads.
-std::vector<float> flip_map(const RowSource& test, const RowSource& reference, int width, int height, double ppd);
+std::vector<float> flip_map(const RowSource& test, const RowSource& reference, int width, int height,
+                            double ppd);
 
 }  // namespace umbrameter

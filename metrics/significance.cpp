@@ -38,7 +38,8 @@ void require_settings(const SignificanceSettings& settings) {
     fail_input(fmt::format("floor_variance is {}", settings.floor_variance), {}, "above 0");
   }
   if (!(settings.false_discovery_rate > 0.0 && settings.false_discovery_rate < 1.0)) {
-    fail_input(fmt::format("false_discovery_rate is {}", settings.false_discovery_rate), {}, "between 0 and 1");
+    fail_input(fmt::format("false_discovery_rate is {}", settings.false_discovery_rate), {},
+               "between 0 and 1");
   }
 }
 
@@ -76,7 +77,8 @@ void count_exceedances(const SignificanceSettings& settings, Significance& out) 
 }  // namespace
 
 double normal_deviate(double v, double r, double se, double test_se, const SignificanceSettings& settings) {
-  const double truth = std::clamp(v, 0.0, 1.0), reference_variance = se * se, test_variance = test_se * test_se;
+  const double truth = std::clamp(v, 0.0, 1.0), reference_variance = se * se,
+               test_variance = test_se * test_se;
   const bool all_agree = (r <= 0.0 || r >= 1.0) && se > 0.0;
   if (all_agree) {
     const double samples = 0.5 / se;
@@ -89,7 +91,8 @@ double normal_deviate(double v, double r, double se, double test_se, const Signi
   if (squares < 1e-12 * variance * variance) return t;  // exact, but for v0
   // Degrees of freedom by Welch and Satterthwaite, then Wallace 1959: within a few per cent of z out to p = 1e-9.
   const double degrees = (settings.replicates - 1) * variance * variance / squares;
-  const double z = (8.0 * degrees + 1.0) / (8.0 * degrees + 3.0) * std::sqrt(degrees * std::log1p(t * t / degrees));
+  const double z =
+      (8.0 * degrees + 1.0) / (8.0 * degrees + 3.0) * std::sqrt(degrees * std::log1p(t * t / degrees));
   return std::copysign(z, t);
 }
 
@@ -107,7 +110,8 @@ Significance measure_significance(const Image& test, const Image& reference, std
   for_each_row(test.height, [&](int y) {
     const size_t begin = static_cast<size_t>(y) * static_cast<size_t>(test.width);
     for (size_t i = begin; i < begin + static_cast<size_t>(test.width); ++i) {
-      if (mask[i] != 0) out.z[i] = static_cast<float>(normal_deviate(v[i], r[i], se[i], test_se[i], settings));
+      if (mask[i] != 0)
+        out.z[i] = static_cast<float>(normal_deviate(v[i], r[i], se[i], test_se[i], settings));
     }
   });
   Histogram histogram{};

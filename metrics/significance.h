@@ -24,13 +24,13 @@ struct SignificanceSettings {
 /// The optionals are absent when no pixel was tested, threshold_z also when no pixel is wrong.
 struct Significance {
   size_t tested = 0;
-  size_t too_dark = 0, too_bright = 0;      // pixels called wrong, by sign
-  std::optional<double> threshold_z;        // of abs(z), by Benjamini and Hochberg
-  size_t exceeding = 0;                     // pixels with abs(z) > exceedance_z
-  std::optional<double> expected_exceeding; // if all were right
-  std::optional<double> exceedance_sigmas;  // excess over it in binomial standard deviations
-  std::vector<float> z;                     // [height][width], 0 where not tested
-  std::vector<uint8_t> wrong;               // [height][width], 1 = called wrong
+  size_t too_dark = 0, too_bright = 0;       // pixels called wrong, by sign
+  std::optional<double> threshold_z;         // of abs(z), by Benjamini and Hochberg
+  size_t exceeding = 0;                      // pixels with abs(z) > exceedance_z
+  std::optional<double> expected_exceeding;  // if all were right
+  std::optional<double> exceedance_sigmas;   // excess over it in binomial standard deviations
+  std::vector<float> z;                      // [height][width], 0 where not tested
+  std::vector<uint8_t> wrong;                // [height][width], 1 = called wrong
 
   size_t significant() const { return too_dark + too_bright; }
 };

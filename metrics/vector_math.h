@@ -44,9 +44,9 @@ inline float fast_exp2(float x) {
   const float f = (x - static_cast<float>(whole)) * 0.6931471806f;  // ln 2
   const float series =
       1.0f +
-      f * (1.0f + f * (1.0f / 2 +
-                       f * (1.0f / 6 +
-                            f * (1.0f / 24 + f * (1.0f / 120 + f * (1.0f / 720 + f * (1.0f / 5040)))))));
+      f * (1.0f +
+           f * (1.0f / 2 +
+                f * (1.0f / 6 + f * (1.0f / 24 + f * (1.0f / 120 + f * (1.0f / 720 + f * (1.0f / 5040)))))));
   return std::bit_cast<float>(std::bit_cast<int32_t>(series) + (whole << 23));
 }
 

@@ -81,12 +81,14 @@ std::string_view name_of(LimitOutcome outcome) {
   return outcome == LimitOutcome::fail ? "fail" : "cannot_tell";
 }
 
-std::optional<ComparisonVerdict> compare_runs(const Image& candidate, const Image& baseline, const Image& reference,
-                                              std::span<const uint8_t> mask, const VerdictSettings& settings) {
+std::optional<ComparisonVerdict> compare_runs(const Image& candidate, const Image& baseline,
+                                              const Image& reference, std::span<const uint8_t> mask,
+                                              const VerdictSettings& settings) {
   require_inputs(candidate, baseline, reference, mask);
   if (settings.tile_px < 1) fail_input(fmt::format("tile_px is {}", settings.tile_px), {}, "at least 1");
-  const Planes planes = {candidate.plane("visibility"), baseline.plane("visibility"), reference.plane("visibility"),
-                         reference.plane("half_a"),     reference.plane("half_b"),    reference.plane("visibility_se")};
+  const Planes planes = {candidate.plane("visibility"), baseline.plane("visibility"),
+                         reference.plane("visibility"), reference.plane("half_a"),
+                         reference.plane("half_b"),     reference.plane("visibility_se")};
   const TileGrid grid = {reference.width, reference.height, settings.tile_px};
   const std::vector<PairSums> tiles = for_each_tile<PairSums>(grid, [&](const Tile& tile, PairSums& sums) {
     for (int y = tile.y0; y < tile.y1; ++y) {
@@ -131,8 +133,8 @@ std::optional<LimitVerdict> judge_limit(const VisibilityError& error, double lim
   if (error.mse->low > limit) return LimitVerdict{LimitOutcome::fail, {}};
   LimitVerdict out;
   if (error.mse_noise_sd) {
-    out.sample_factor = factor_for(std::abs(error.mse->value - limit), 0.5 * (error.mse->high - error.mse->low),
-                                   *error.mse_noise_sd);
+    out.sample_factor = factor_for(std::abs(error.mse->value - limit),
+                                   0.5 * (error.mse->high - error.mse->low), *error.mse_noise_sd);
   }
   return out;
 }

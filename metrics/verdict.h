@@ -19,8 +19,8 @@ std::string_view name_of(LimitOutcome outcome);
 
 struct ComparisonVerdict {
   Comparison outcome = Comparison::cannot_tell;
-  Interval mse_difference;  // candidate less baseline
-  double same_within = 0.0; // of mse_difference
+  Interval mse_difference;   // candidate less baseline
+  double same_within = 0.0;  // of mse_difference
   /// How many times the reference's samples would decide; absent when decided, and when no number would: the spread
   /// from place to place is too large, so other views would.
   std::optional<double> sample_factor;
@@ -40,8 +40,9 @@ struct VerdictSettings {
 
 /// Which of two images is nearer to the truth, pixel paired with pixel. Absent when `mask` is empty. Error{input} as
 /// measure_visibility_error.
-std::optional<ComparisonVerdict> compare_runs(const Image& candidate, const Image& baseline, const Image& reference,
-                                              std::span<const uint8_t> mask, const VerdictSettings& settings = {});
+std::optional<ComparisonVerdict> compare_runs(const Image& candidate, const Image& baseline,
+                                              const Image& reference, std::span<const uint8_t> mask,
+                                              const VerdictSettings& settings = {});
 
 /// pass: the 95 % interval of the RMSE lies at or below `limit_rmse` > 0; fail: above it. Absent without scored pixels.
 std::optional<LimitVerdict> judge_limit(const VisibilityError& error, double limit_rmse);

@@ -5,6 +5,7 @@
 #include "report/table.h"
 #include "study/diagnosis_format.h"
 #include "study/format.h"
+#include "study/judgement_format.h"
 #include "study/metadata.h"
 
 #include <fmt/format.h>
@@ -81,6 +82,7 @@ std::string error_lines(const TechniqueResult& run) {
          line("penumbra", region_text(error.penumbra)) + line("umbra", region_text(error.umbra)) +
          line("scored", fmt::format("{} pixels", error.scored_pixels)) +
          line("beyond the scale", format_share(run.clipped_share)) +
+         term_lines(judgement_lines(run.judgement)) +
          (run.diagnosis ? term_lines(penumbra_lines(*run.diagnosis)) : "");
 }
 

@@ -35,6 +35,14 @@ bool parity_passes(const Results& results) {
                      [](const SceneResult& scene) { return !scene.parity || scene.parity->passes; });
 }
 
+bool exceeds_limit(const Results& results) {
+  return std::ranges::any_of(results.scenes, [](const SceneResult& scene) {
+    return std::ranges::any_of(scene.techniques, [](const TechniqueResult& run) {
+      return run.judgement.limit && run.judgement.limit->outcome == LimitOutcome::fail;
+    });
+  });
+}
+
 std::vector<Failure> all_failures(const Results& results) {
   std::vector<Failure> failures;
   for (const SceneResult& scene : results.scenes) {

@@ -7,6 +7,7 @@
 #include "metrics/parity.h"
 #include "metrics/visibility_error.h"
 #include "study/diagnosis.h"
+#include "study/judgement.h"
 
 #include <cstdint>
 #include <optional>
@@ -65,6 +66,7 @@ struct TechniqueResult {
   ParameterValues parameters;
   std::optional<Failure> failure;
   std::optional<VisibilityError> error;
+  Judgement judgement;                 // empty without `error`
   std::optional<Diagnosis> diagnosis;  // absent without `error`, and when a warning says why
   double clipped_share = 0.0;          // of scored pixels, beyond the error picture's scale
   std::vector<PassTime> pass_times;
@@ -116,6 +118,9 @@ std::optional<double> region_rmse(const RegionError& region);
 
 /// True when every scene that was compared passes parity.
 bool parity_passes(const Results& results);
+
+/// True when a technique's RMSE is above the limit for certain.
+bool exceeds_limit(const Results& results);
 
 /// Every failure, as "scene: message" or "scene, technique: message".
 std::vector<Failure> all_failures(const Results& results);

@@ -2,6 +2,7 @@
 
 #include "study/diagnosis_json.h"
 #include "study/json_optional.h"
+#include "study/judgement_json.h"
 
 #include <fmt/format.h>
 
@@ -92,6 +93,7 @@ TechniqueResult read_technique(const Json& json) {
   run.picture_file = json.at("picture_file");
   run.error_picture_file = json.at("error_picture_file");
   run.fault_picture_file = json.at("fault_picture_file");
+  run.judgement = read_judgement(json);
   run.diagnosis = read_diagnosis(json);
   return run;
 }

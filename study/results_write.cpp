@@ -2,6 +2,7 @@
 
 #include "study/diagnosis_json.h"
 #include "study/json_optional.h"
+#include "study/judgement_json.h"
 
 #include <nlohmann/json.hpp>
 
@@ -95,6 +96,7 @@ Json technique_json(const TechniqueResult& run) {
             {"picture_file", run.picture_file},
             {"error_picture_file", run.error_picture_file},
             {"fault_picture_file", run.fault_picture_file}};
+  add_judgement(run.judgement, json);
   add_diagnosis(run.diagnosis, json);
   return json;
 }
@@ -178,6 +180,7 @@ std::string to_json_text(const Score& score, const std::string& test_file,
             {"reference", reference_file},
             {"parity", parity},
             {"error", score.error ? error_json(*score.error) : Json(nullptr)}};
+  add_judgement(score.judgement, json);
   add_diagnosis(score.diagnosis, json);
   json["no_diagnosis"] = failure_json(score.no_diagnosis);
   return dump(json);

@@ -135,13 +135,17 @@ void score_technique(const SceneContext& context, const Image& reference, Techni
   const Image& image = run.frame.image;
   const std::string stem = file_name_of(result.label);
   Score score;
-  result.failure =
-      guarded([&] { score = score_image(image, reference, context.job.scene.camera.eye_world); });
+  result.failure = guarded([&] {
+    score = score_image(image, reference, context.job.scene.camera.eye_world,
+                        {context.plan.metrics, context.plan.limit_rmse});
+  });
   if (result.failure) return;
   result.picture_file = context.relative(stem + ".png");
   save_picture(context, result.picture_file, visibility_picture(image));
   if (!score.error) return;
   result.error = score.error;
+  result.judgement = score.judgement;
+  run.mask = score.mask;
   result.error_picture_file = context.relative(stem + "-error.png");
   const Picture picture = signed_error_picture(image, reference, score.mask);
   result.clipped_share = picture.clipped_share;
@@ -151,9 +155,26 @@ void score_technique(const SceneContext& context, const Image& reference, Techni
     result.warnings.push_back("the faults could not be told apart: " + score.no_diagnosis->message);
     return;
   }
+  if (!score.diagnosis) return;
   result.fault_picture_file = context.relative(stem + "-faults.png");
   save_picture(context, result.fault_picture_file,
                fault_picture(score.fault_classes, image.width, image.height));
+}
+
+void compare_with_baseline(const SceneContext& context, const Image& reference,
+                           std::span<TechniqueFrame> runs) {
+  if (!context.plan.metrics.verdict) return;
+  const std::string& wanted = context.plan.baseline;
+  const auto baseline = std::ranges::find_if(runs, [&](const TechniqueFrame& run) {
+    return run.result.error && (wanted.empty() || run.result.label == wanted);
+  });
+  if (baseline == runs.end()) return;
+  const ScoredImage against = {baseline->frame.image, baseline->mask};
+  for (TechniqueFrame& run : runs) {
+    if (!run.result.error || &run == &*baseline) continue;
+    run.result.judgement.verdict =
+        judge_against({run.frame.image, run.mask}, against, baseline->result.label, reference);
+  }
 }
 
 }  // namespace umbrameter

@@ -21,6 +21,7 @@ struct SceneContext {
 struct TechniqueFrame {
   TechniqueResult result;
   Frame frame;
+  std::vector<uint8_t> mask;  // scored pixels
 };
 
 /// Gives tasks longer names: "pcss" becomes "plate (2 of 13), pcss:taps=64".
@@ -53,5 +54,9 @@ void compare_renderers(const SceneContext& context, const Image& surfaces, const
 
 /// Sets the run's error, or its failure, and stores its pictures.
 void score_technique(const SceneContext& context, const Image& reference, TechniqueFrame& run);
+
+/// Sets the verdicts of all scored runs but the plan's baseline, unless that one has no score here.
+void compare_with_baseline(const SceneContext& context, const Image& reference,
+                           std::span<TechniqueFrame> runs);
 
 }  // namespace umbrameter

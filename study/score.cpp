@@ -66,7 +66,8 @@ glm::dvec3 eye_of(const Image& reference, const std::string& file) {
   return eye_world;
 }
 
-Score score_image(const Image& test, const Image& reference, const glm::dvec3& eye_world) {
+Score score_image(const Image& test, const Image& reference, const glm::dvec3& eye_world,
+                  const ScoreSettings& settings) {
   Score score;
   score.has_surfaces = has_surfaces(test);
   const double eye[3] = {eye_world.x, eye_world.y, eye_world.z};
@@ -74,6 +75,13 @@ Score score_image(const Image& test, const Image& reference, const glm::dvec3& e
   if (!score.parity.passes) return score;
   score.mask = scored_mask(score.parity, reference);
   score.error = measure_visibility_error(test, reference, score.mask);
+  if (settings.metrics.significance) {
+    score.judgement.significance = significance_numbers(measure_significance(test, reference, score.mask));
+  }
+  if (settings.limit_rmse) {
+    score.judgement.limit = judge_against(*settings.limit_rmse, *score.error, reference, score.mask);
+  }
+  if (!settings.metrics.diagnosis) return score;
   score.no_diagnosis = guarded([&] {
     DiagnosedImage diagnosed = diagnose(test, reference, score.mask);
     score.diagnosis = diagnosed.numbers;

@@ -1,9 +1,10 @@
 #pragma once
-// Parity, visibility error and diagnosis of one image against the reference; what `validate` and `score` both ask.
+// Parity, visibility error, significance and diagnosis of one image against the reference; what `validate` and `score` both ask.
 
 #include "core/image.h"
 #include "metrics/parity.h"
 #include "metrics/visibility_error.h"
+#include "study/metric_choice.h"
 #include "study/results.h"
 
 #include <glm/vec3.hpp>
@@ -21,9 +22,15 @@ struct Score {
   Parity parity;  // without surfaces: the reference against itself, so it only finds the background
   std::vector<uint8_t> mask;  // scored pixels; empty when parity fails
   std::optional<VisibilityError> error;
+  Judgement judgement;  // without a verdict: see judge_against
   std::optional<Diagnosis> diagnosis;
   std::vector<FaultClass> fault_classes;  // [height][width]; empty without diagnosis
   std::optional<Failure> no_diagnosis;    // why; `error` stands without it
+};
+
+struct ScoreSettings {
+  MetricChoice metrics;
+  std::optional<double> limit_rmse;
 };
 
 /// The image with its visibility under that name. Accepts `visibility`, `Y`, a single channel of any name, or
@@ -38,6 +45,7 @@ glm::dvec3 eye_of(const Image& reference, const std::string& file);
 
 /// Scores `test` (see with_visibility) where its surfaces agree with the reference's. Error{input} for size
 /// mismatch, missing reference channels, NaN and values outside [0,1].
-Score score_image(const Image& test, const Image& reference, const glm::dvec3& eye_world);
+Score score_image(const Image& test, const Image& reference, const glm::dvec3& eye_world,
+                  const ScoreSettings& settings = {});
 
 }  // namespace umbrameter

@@ -46,8 +46,9 @@ SceneResult validate_scene(const SceneContext& context, std::vector<Skip>& skipp
   for (TechniqueFrame& run : runs) {
     const bool is_comparable = !run.result.failure && scene.parity && scene.parity->passes;
     if (is_comparable) score_technique(context, reference.image, run);
-    scene.techniques.push_back(std::move(run.result));
   }
+  compare_with_baseline(context, reference.image, runs);
+  for (TechniqueFrame& run : runs) scene.techniques.push_back(std::move(run.result));
   return scene;
 }
 

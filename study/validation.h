@@ -4,6 +4,7 @@
 
 #include "core/renderer.h"
 #include "scenes/scene.h"
+#include "study/metric_choice.h"
 #include "study/results.h"
 
 #include <filesystem>
@@ -42,6 +43,10 @@ struct ValidationPlan {
   int timed_frames = 9;             // wanted; fewer when they would exceed the budget, never fewer than 1
   double timing_budget_s = 3.0;     // a technique and scene
   std::vector<TechniqueRun> techniques;
+  MetricChoice metrics;
+  std::string
+      baseline;  // label of the technique that verdicts compare with; empty = a scene's first with a result
+  std::optional<double> limit_rmse;
 };
 
 struct Renderers {

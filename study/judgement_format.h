@@ -1,0 +1,18 @@
+#pragma once
+// A judgement as people read it; the terminal and the report show the same text.
+
+#include "study/diagnosis_format.h"
+#include "study/judgement.h"
+
+#include <optional>
+#include <string>
+
+namespace umbrameter {
+
+/// "better", "worse", "same" or "cannot tell"; "n/a" without a verdict.
+std::string format_verdict(const std::optional<RunVerdict>& verdict);
+
+/// Wrong pixels, what exceeds the noise, the verdict and the limit: those that there are.
+TermLines judgement_lines(const Judgement& judgement);
+
+}  // namespace umbrameter
