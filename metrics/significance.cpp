@@ -89,7 +89,8 @@ double normal_deviate(double v, double r, double se, double test_se, const Signi
   const double t = (v - r) / std::sqrt(variance);
   const double squares = reference_variance * reference_variance + test_variance * test_variance;
   if (squares < 1e-12 * variance * variance) return t;  // exact, but for v0
-  // Degrees of freedom by Welch and Satterthwaite, then Wallace 1959: within a few per cent of z out to p = 1e-9.
+  // Degrees of freedom by Welch and Satterthwaite, then Wallace 1959: never too large, and at most
+  // 1.3 % too small for 7 degrees and p down to 1e-9.
   const double degrees = (settings.replicates - 1) * variance * variance / squares;
   const double z =
       (8.0 * degrees + 1.0) / (8.0 * degrees + 3.0) * std::sqrt(degrees * std::log1p(t * t / degrees));

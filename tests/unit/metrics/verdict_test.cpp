@@ -11,7 +11,8 @@
 namespace umbrameter {
 namespace {
 
-constexpr int kSize_px = 192;
+constexpr int kSize_px = 64;
+constexpr int kTile_px = 8;
 
 std::vector<uint8_t> everywhere() {
   return std::vector<uint8_t>(size_t{kSize_px} * kSize_px, 1);
@@ -47,7 +48,7 @@ Image wrong_by(float error, uint64_t seed) {
 }
 
 ComparisonVerdict compare(const Image& candidate, const Image& baseline, const Image& reference) {
-  return *compare_runs(candidate, baseline, reference, everywhere());
+  return *compare_runs(candidate, baseline, reference, everywhere(), {.tile_px = kTile_px});
 }
 
 TEST(CompareRuns, TellsBetterFromWorseAndSwapsWithTheOperands) {
@@ -78,15 +79,16 @@ TEST(CompareRuns, NoiseOfTheReferenceDecidesNothing) {
   const Image candidate = wrong_by(0.02f, 2), baseline = wrong_by(0.02f, 3);
   int claims = 0;
   for (uint64_t trial = 1; trial <= 200; ++trial) {
-    const Comparison outcome = compare(candidate, baseline, noisy_half(0.2, trial)).outcome;
+    const Comparison outcome = compare(candidate, baseline, noisy_half(0.06, trial)).outcome;
     claims += outcome == Comparison::better || outcome == Comparison::worse ? 1 : 0;
   }
   EXPECT_LT(claims / 200.0, 0.05 + 3 * 0.015);
 }
 
 TEST(CompareRuns, MoreSamplesDecideAndTheirNumberIsForetold) {
-  const Image candidate = wrong_by(0.020f, 2), baseline = wrong_by(0.024f, 3);
-  const double se = 0.1;
+  // The difference is 1.2 standard deviations of the noise; the foretold number is as noisy, so 20 times at least.
+  const Image candidate = wrong_by(0.0200f, 2), baseline = wrong_by(0.0216f, 3);
+  const double se = 0.06;
   int decided_before = 0, decided_after = 0, foretold = 0;
   for (uint64_t trial = 1; trial <= 40; ++trial) {
     const ComparisonVerdict verdict = compare(candidate, baseline, noisy_half(se, trial));
@@ -95,12 +97,12 @@ TEST(CompareRuns, MoreSamplesDecideAndTheirNumberIsForetold) {
     ++foretold;
     EXPECT_GT(*verdict.sample_factor, 1.0);
     const double factor = std::max(*verdict.sample_factor, 20.0);
-    const Image better = noisy_half(se / std::sqrt(factor), 1000 + trial);
-    decided_after += compare(candidate, baseline, better).outcome == Comparison::better ? 1 : 0;
+    const Image finer = noisy_half(se / std::sqrt(factor), 1000 + trial);
+    decided_after += compare(candidate, baseline, finer).outcome == Comparison::better ? 1 : 0;
   }
   EXPECT_LT(decided_before, 20);
-  EXPECT_GT(foretold, 15);
-  EXPECT_GT(decided_after, foretold * 8 / 10);
+  EXPECT_GT(foretold, 8);
+  EXPECT_GE(decided_after, foretold * 9 / 10);
 }
 
 TEST(CompareRuns, WhereOnlyPlacesDifferNoSamplesHelp) {
@@ -136,11 +138,13 @@ TEST(CompareRuns, RejectsOtherSizesAndNamesABadPixel) {
 
 TEST(JudgeLimit, PassesFailsOrAsksForSamples) {
   const Image test = wrong_by(0.05f, 2);
-  const VisibilityError clear = measure_visibility_error(test, noisy_half(0.005, 1), everywhere());
+  const VisibilityError clear =
+      measure_visibility_error(test, noisy_half(0.005, 1), everywhere(), {.tile_px = kTile_px});
   EXPECT_EQ(judge_limit(clear, 0.06)->outcome, LimitOutcome::pass);
   EXPECT_EQ(judge_limit(clear, 0.04)->outcome, LimitOutcome::fail);
-  const VisibilityError noisy = measure_visibility_error(test, noisy_half(0.4, 1), everywhere());
-  const auto verdict = judge_limit(noisy, std::sqrt(noisy.mse->value > 0 ? 1.1 * noisy.mse->value : 1e-4));
+  const VisibilityError noisy =
+      measure_visibility_error(test, noisy_half(0.06, 1), everywhere(), {.tile_px = kTile_px});
+  const auto verdict = judge_limit(noisy, std::sqrt(1.08 * noisy.mse->value));
   EXPECT_EQ(verdict->outcome, LimitOutcome::cannot_tell);
   EXPECT_GT(verdict->sample_factor.value_or(0.0), 1.0);
 }
@@ -150,7 +154,7 @@ TEST(JudgeLimit, KnowsTheNoiseOfTheDebiasedError) {
   const double se = 0.05, e = 0.05, pixels = static_cast<double>(kSize_px) * kSize_px;
   const VisibilityError error = measure_visibility_error(wrong_by(0.05f, 2), noisy_half(se, 1), everywhere());
   const double expected = std::sqrt((4 * e * e * se * se + 4 * std::pow(se, 4)) / pixels);
-  EXPECT_NEAR(*error.mse_noise_sd, expected, 0.02 * expected);
+  EXPECT_NEAR(*error.mse_noise_sd, expected, 0.04 * expected);
 }
 
 TEST(JudgeLimit, IsNotApplicableWithoutPixelsAndRejectsNoLimit) {
