@@ -1,8 +1,9 @@
 #include "metrics/flip_map.h"
 
 #include "metrics/flip_color.h"
-#include "metrics/flip_filter.h"
-#include "metrics/tiles.h"
+#include "metrics/flip_rows.h"
+
+#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -16,91 +17,10 @@ namespace {
 // The paper's constants: colour exponent .7 (see color_difference), knee of the colour curve.
 constexpr float kKneeAt = 0.4f, kKneeValue = 0.95f;
 
-// What the columns of an image are filtered from: its rows through the kernels that differ.
-enum Plane { kLuminance, kRedGreen, kBlueYellow0, kBlueYellow1, kSmooth, kEdge, kPoint, kPlanes };
-
 constexpr int kTile_px = 128;  // columns worked on together: what they need stays in the second cache
 constexpr int kBand_px = 64;
 using TileRow = std::array<float, kTile_px>;
 static_assert(kTile_px % kFilterBlock == 0);
-
-size_t padded(size_t count) {
-  return (count + kFilterBlock - 1) / kFilterBlock * kFilterBlock;
-}
-
-// The latest `kept` rows of every plane, row y in place of row y - kept: a whole picture's planes would cost more in
-// page faults and cache misses than the filters do.
-class FilteredRows {
- public:
-  FilteredRows(int width, int height, int kept)
-      : stride_(padded(static_cast<size_t>(width)) + kFilterBlock), last_(height - 1), kept_(kept) {
-    for (auto& plane : planes_) plane.resize(stride_ * static_cast<size_t>(kept));
-  }
-  /// The row nearest to `y` that exists: outside, the border repeats.
-  float* row(Plane plane, int y) {
-    return planes_[plane].data() + static_cast<size_t>(std::clamp(y, 0, last_) % kept_) * stride_;
-  }
-
- private:
-  size_t stride_;
-  int last_, kept_;
-  std::array<std::vector<float>, kPlanes> planes_;
-};
-
-// A row with its border pixels repeated, and its shifted copies as the taps of a filter.
-class PaddedRow {
- public:
-  PaddedRow(size_t width, size_t radius)
-      : width_(width), radius_(radius), values_(padded(width) + 2 * radius), taps_(2 * radius + 1) {
-    for (size_t k = 0; k < taps_.size(); ++k) taps_[k] = values_.data() + k;
-  }
-  std::span<float> pixels() { return {values_.data() + radius_, width_}; }
-  void repeat_border() {
-    std::fill_n(values_.begin(), radius_, pixels().front());
-    std::fill(values_.begin() + static_cast<std::ptrdiff_t>(radius_ + width_), values_.end(),
-              pixels().back());
-  }
-  const float* const* centre() const { return taps_.data() + radius_; }
-
- private:
-  size_t width_, radius_;
-  std::vector<float> values_;
-  std::vector<const float*> taps_;
-};
-
-void ycxcz_in_place(const LinearRow& row) {
-  float *r = row.red.data(), *g = row.green.data(), *b = row.blue.data();
-  for (size_t x = 0; x < row.red.size(); ++x) {
-    const glm::vec3 color = ycxcz_from_linear({r[x], g[x], b[x]});
-    r[x] = color.x;
-    g[x] = color.y;
-    b[x] = color.z;
-  }
-}
-
-// Rows y0 <= y < y1 of a picture `width` wide.
-void filter_rows(const RowSource& source, const ObserverKernels& kernels, size_t width, int y0, int y1,
-                 FilteredRows& out) {
-  const size_t count = padded(width);
-  for_each_row(y1 - y0, [&](int n) {
-    const int y = y0 + n;
-    std::array<PaddedRow, 3> color = {PaddedRow(width, kernels.radius), PaddedRow(width, kernels.radius),
-                                      PaddedRow(width, kernels.radius)};
-    const LinearRow pixels = {color[0].pixels(), color[1].pixels(), color[2].pixels()};
-    source(y, pixels);
-    ycxcz_in_place(pixels);
-    for (PaddedRow& row : color) row.repeat_border();
-    for (int plane = 0; plane < kPlanes; ++plane)
-      std::fill_n(out.row(static_cast<Plane>(plane), y), count, 0.0f);
-    add_even(color[0].centre(), kernels.luminance, count, out.row(kLuminance, y));
-    add_even(color[1].centre(), kernels.red_green, count, out.row(kRedGreen, y));
-    add_even(color[2].centre(), kernels.blue_yellow_rows[0], count, out.row(kBlueYellow0, y));
-    add_even(color[2].centre(), kernels.blue_yellow_rows[1], count, out.row(kBlueYellow1, y));
-    add_even(color[0].centre(), kernels.smooth, count, out.row(kSmooth, y));
-    add_odd(color[0].centre(), kernels.edge, count, out.row(kEdge, y));
-    add_even(color[0].centre(), kernels.point, count, out.row(kPoint, y));
-  });
-}
 
 // What the observer sees of one image along a row of a tile.
 struct SeenRow {
@@ -149,7 +69,7 @@ class ColumnFilter {
   }
 
  private:
-  const float* const* centre(Plane plane) {
+  const float* const* centre(FlipPlane plane) {
     const int radius = static_cast<int>(kernels_.radius);
     for (int k = -radius; k <= radius; ++k)
       taps_[static_cast<size_t>(k + radius)] = rows_.row(plane, y_ + k) + x0_;
@@ -210,8 +130,8 @@ std::vector<float> flip_map(const RowSource& test, const RowSource& reference, i
   int filtered = 0;  // rows so far
   for (int y0 = 0; y0 < height; y0 += kBand_px) {
     const int y1 = std::min(y0 + kBand_px, height), needed = std::min(y1 + radius, height);
-    filter_rows(test, kernels, columns, filtered, needed, rows_a);
-    filter_rows(reference, kernels, columns, filtered, needed, rows_b);
+    filter_flip_rows(test, kernels, columns, filtered, needed, rows_a);
+    filter_flip_rows(reference, kernels, columns, filtered, needed, rows_b);
     filtered = needed;
     tbb::parallel_for(0, (width + kTile_px - 1) / kTile_px, [&](int tile) {
       const int x0 = tile * kTile_px;

@@ -1,0 +1,43 @@
+#pragma once
+// FLIP's filters along rows, a band of a picture at a time. Not here: along columns (metrics/flip_map.cpp).
+
+#include "metrics/flip_filter.h"
+#include "metrics/flip_map.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace umbrameter {
+
+/// What the columns are filtered from: the rows through every kernel that differs.
+enum FlipPlane { kLuminance, kRedGreen, kBlueYellow0, kBlueYellow1, kSmooth, kEdge, kPoint, kFlipPlanes };
+
+inline size_t padded(size_t count) {
+  return (count + kFilterBlock - 1) / kFilterBlock * kFilterBlock;
+}
+
+/// The latest `kept` rows of every plane, row y in place of row y - kept: a whole picture's planes would cost more in
+/// page faults and cache misses than the filters do.
+class FilteredRows {
+ public:
+  FilteredRows(int width, int height, int kept)
+      : stride_(padded(static_cast<size_t>(width)) + kFilterBlock), last_(height - 1), kept_(kept) {
+    for (auto& plane : planes_) plane.resize(stride_ * static_cast<size_t>(kept));
+  }
+  /// The row nearest to `y` that exists: outside, the border repeats.
+  float* row(FlipPlane plane, int y) {
+    return planes_[plane].data() + static_cast<size_t>(std::clamp(y, 0, last_) % kept_) * stride_;
+  }
+
+ private:
+  size_t stride_;
+  int last_, kept_;
+  std::array<std::vector<float>, kFlipPlanes> planes_;
+};
+
+/// Filters rows y0 <= y < y1 of a picture `width` wide.
+void filter_flip_rows(const RowSource& source, const ObserverKernels& kernels, size_t width, int y0, int y1,
+                      FilteredRows& out);
+
+}  // namespace umbrameter
