@@ -1,6 +1,7 @@
 #include "metrics/causes.h"
 
 #include "core/error.h"
+#include "core/statistics.h"
 #include "metrics/checks.h"
 #include "metrics/texel_footprint.h"
 #include "metrics/tiles.h"
@@ -29,11 +30,6 @@ struct Pair {
   SurfaceView surface;
   TexelView texels;
 };
-
-std::optional<double> median_of(std::vector<double> values) {
-  const auto spread = spread_of(std::move(values));
-  return spread ? std::optional(spread->median) : std::nullopt;
-}
 
 struct FootprintSums {
   std::array<size_t, kBins + 1> pixels{};  // the last one: unknown
@@ -75,10 +71,7 @@ void add_footprints(const Pair& pair, ErrorCauses& out) {
   std::vector<float> known;
   std::copy_if(footprints.begin(), footprints.end(), std::back_inserter(known),
                [](float f) { return f > 0.0f; });
-  if (known.empty()) return;
-  const auto middle = known.begin() + static_cast<std::ptrdiff_t>(known.size() / 2);
-  std::nth_element(known.begin(), middle, known.end());
-  out.median_footprint_px = *middle;
+  out.median_footprint_px = median_if_any(std::move(known));
 }
 
 struct Edge {
@@ -136,8 +129,8 @@ void add_banding(std::span<const PenumbraProfile> profiles, ErrorCauses& out) {
     banding.push_back(1.0 - levels.back() / static_cast<double>(p.ramp_px));
   }
   out.banding_profiles = levels.size();
-  out.banding = median_of(std::move(banding));
-  out.levels = median_of(std::move(levels));
+  out.banding = median_if_any(std::move(banding));
+  out.levels = median_if_any(std::move(levels));
 }
 
 struct Residuals {
@@ -174,8 +167,8 @@ void add_noise(const Pair& pair, ErrorCauses& out) {
     all.reference.insert(all.reference.end(), tile.reference.begin(), tile.reference.end());
   }
   const double scale = kSigmaPerMedian * kSigmaPerResidual;
-  if (const auto median = median_of(std::move(all.test))) out.noise = scale * *median;
-  if (const auto median = median_of(std::move(all.reference))) out.reference_noise = scale * *median;
+  if (const auto median = median_if_any(std::move(all.test))) out.noise = scale * *median;
+  if (const auto median = median_if_any(std::move(all.reference))) out.reference_noise = scale * *median;
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "metrics/moire.h"
 
 #include "core/error.h"
+#include "core/statistics.h"
 #include "metrics/checks.h"
 #include "metrics/texel_footprint.h"
 #include "metrics/tiles.h"
@@ -160,11 +161,6 @@ TilePeak measure_tile(const Input& input, const TileGrid& grid, const Tile& tile
   return {std::hypot(peak->x, peak->y), per_texel(*peak, step_in(input, grid, tile))};
 }
 
-std::optional<double> median_of(std::vector<double> values) {
-  const auto spread = spread_of(std::move(values));
-  return spread ? std::optional(spread->median) : std::nullopt;
-}
-
 }  // namespace
 
 Moire measure_moire(const Image& test, const Image& reference, std::span<const uint8_t> mask,
@@ -191,7 +187,7 @@ Moire measure_moire(const Image& test, const Image& reference, std::span<const u
     if (peak.cycles_per_px) per_px.push_back(*peak.cycles_per_px);
     if (peak.cycles_per_texel) per_texel_values.push_back(*peak.cycles_per_texel);
   }
-  return {per_px.size(), median_of(per_px), median_of(per_texel_values)};
+  return {per_px.size(), median_if_any(per_px), median_if_any(per_texel_values)};
 }
 
 }  // namespace umbrameter
