@@ -52,7 +52,8 @@ std::string score_text(const Score& score) {
           region_line("umbra", error.umbra);
   text += term_lines(judgement_lines(score.judgement));
   if (!score.diagnosis) return text;
-  return text + term_lines(penumbra_lines(*score.diagnosis)) + term_lines(fault_lines(*score.diagnosis));
+  return text + term_lines(penumbra_lines(*score.diagnosis)) + term_lines(fault_lines(*score.diagnosis)) +
+         term_lines(cause_lines(*score.diagnosis));
 }
 
 void add_verdict(const std::string& baseline_file, const Image& test, const Image& reference,

@@ -28,7 +28,10 @@ struct ValidateOptions {
   std::string metrics;
   std::string baseline;
   std::optional<double> limit_rmse;
+  bool temporal = false;
 };
+
+constexpr int kTemporalFrames = 4;  // of each sequence: three steps show a change, and cost three references
 
 struct Workload {
   std::vector<SceneJob> scenes;
@@ -160,7 +163,8 @@ int validate(const ValidateOptions& options, const GlobalOptions& global) {
   const Quality quality = choose_quality(options.quality);
   const Home home = find_home();
   const SceneSearch search = scene_search(global, home);
-  const ValidationPlan plan = make_plan(quality, choose_techniques(options.techniques, home), options);
+  ValidationPlan plan = make_plan(quality, choose_techniques(options.techniques, home), options);
+  plan.temporal_frames = options.temporal ? kTemporalFrames : 0;
   const std::filesystem::path out = global.out.empty() ? "out" : global.out;
   check_output(out);
   const Staging staging(out);
@@ -205,6 +209,8 @@ void add_validate(CLI::App& app, CommandLine& line) {
       ->check(CLI::PositiveNumber);
   verb->add_option("--metrics", options->metrics, kMetricsHelp);
   add_quality_options(*verb, options->quality);
+  verb->add_flag("--temporal", options->temporal,
+                 "also measure flicker under a moving camera and light, and the noise of seeds");
   verb->callback(
       [options, &line] { line.verb = [options, &line] { return validate(*options, line.global); }; });
 }

@@ -60,6 +60,8 @@ std::string scene_lists(const Results& results) {
       for (const auto& [term, meaning] : judgement_lines(run.judgement)) {
         text += fmt::format("{}, {}: {}: {}\n", scene.name, run.label, term, meaning);
       }
+      if (run.temporal)
+        text += fmt::format("{}, {}: {}\n", scene.name, run.label, format_temporal(*run.temporal));
       for (const std::string& warning : run.warnings) {
         text += fmt::format("{}, {}: warning: {}\n", scene.name, run.label, warning);
       }

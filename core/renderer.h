@@ -36,7 +36,8 @@ struct PassTime {
 ///   primitive_id (-1 = nothing hit), unshadowed_irradiance.
 /// reference: visibility, visibility_se, irradiance_ratio, half_a, half_b, sample_count, blocker_distance,
 ///   blocker_distance_min, blocker_layers.
-/// real time: visibility.
+/// real time: visibility; where one map is drawn from the light's centre also texel.x/y (the point's place in
+///   that map, in texels) and texel_world (width of a texel facing the light there); 0 where nothing is hit.
 struct Frame {
   Image image;
   ParameterValues parameters;  // the complete set that was used

@@ -4,6 +4,8 @@
 #include "core/error.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace umbrameter {
@@ -17,6 +19,12 @@ double median(std::vector<T> values) {
   const double upper = static_cast<double>(*middle);
   if (values.size() % 2 == 1) return upper;
   return 0.5 * (upper + static_cast<double>(*std::max_element(values.begin(), middle)));
+}
+
+/// The same; absent for no values.
+template <class T>
+std::optional<double> median_if_any(std::vector<T> values) {
+  return values.empty() ? std::nullopt : std::optional<double>(median(std::move(values)));
 }
 
 }  // namespace umbrameter

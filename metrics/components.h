@@ -13,7 +13,8 @@ struct Components {
   size_t count = 0;
 };
 
-/// 8-connected components of the pixels where `mask` is not 0, near linear (union-find).
+/// 8-connected components of the pixels where `mask` is not 0; different values do not connect. Near linear
+/// (union-find over strips of rows, joined afterwards).
 Components label_components(std::span<const uint8_t> mask, int width, int height);
 
 }  // namespace umbrameter

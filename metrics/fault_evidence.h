@@ -1,10 +1,11 @@
 #pragma once
-// What speaks for which cause, a component of the envelope residual at a time. Not here: the verdict
-// (metrics/faults.h).
+// What speaks for which cause: signs of single pixels of the envelope residual, and their sums over components.
+// Not here: the verdict (metrics/faults.h).
 
 #include "metrics/components.h"
 #include "metrics/faults.h"
 #include "metrics/surface.h"
+#include "metrics/texel_footprint.h"
 
 #include <cstdint>
 #include <span>
@@ -22,29 +23,57 @@ struct FaultInput {
   SurfaceView surface;
   std::array<std::span<const float>, 3> shading_normal;
   std::span<const float> blocker_distance, blocker_layers;
+  TexelView texels;
+
+  double error(size_t i) const { return static_cast<double>(v[i]) - r[i]; }
 };
+
+/// What a pixel of the residual says by itself.
+enum class Sign : uint8_t {
+  plain,       // all around the truth is fully lit (too dark) or fully shadowed (too bright)
+  terminator,  // normals disagree, or the receiver hides the light from itself
+  contact,     // shadowed by a blocker in contact
+  layered,     // several blockers on its rays, and plain
+  edge,        // within a texel and a half of a true edge that is narrower than two texels
+  near,        // within one width of a penumbra at least 3 px wide
+  overlap,     // the nearest penumbra overlaps another
+  separate,    // it has a ridge and overlaps none
+};
+inline constexpr size_t kSigns = 8;
+using Signs = uint8_t;  // bit 1 << Sign
+
+/// What a pixel would be blamed for on its own; pixels of one kind make up a piece of a mixed component.
+enum class Kind : uint8_t { partial, plain, layered, edge, contact, terminator };
+inline constexpr size_t kKinds = 6;
+Kind kind_of(Signs signs);
 
 /// Sums over a component. `mass` weighs by residual; the others are the mass that meets a condition.
 struct Evidence {
   size_t pixels = 0;
   double mass = 0.0;
-  double lit = 0.0;                    // fully lit all around
-  double terminator = 0.0;             // normals disagree
-  double contact = 0.0;                // nearest blocker in contact
-  double layered = 0.0;                // at least bleed_layers blockers
-  double penumbra = 0.0;               // within one width of a penumbra at least 3 px wide
+  std::array<double, kSigns> by_sign{};
+  std::array<double, kKinds> by_kind{};
   double test = 0.0, reference = 0.0;  // mass times visibility
   double width_px = 0.0;               // mass times the nearest penumbra's width
 
-  bool mostly(double part, double share = 0.5) const { return part > share * mass; }
+  double of(Sign sign) const { return by_sign[static_cast<size_t>(sign)]; }
+  bool mostly(Sign sign, double share = 0.5) const { return of(sign) > share * mass; }
+  bool is_mixed() const;  // no kind has four fifths
 };
+
+/// [height][width] signs of the pixels where `residual` > 0; it is envelope.dark if `is_dark`, else
+/// envelope.bright.
+std::vector<Signs> read_signs(const FaultInput& input, std::span<const float> residual, bool is_dark,
+                              std::span<const int32_t> nearest_edge);
 
 /// One a component of `residual` > 0.
 std::vector<Evidence> gather_evidence(const FaultInput& input, std::span<const float> residual,
-                                      const Components& components,
-                                      std::span<const int32_t> nearest_penumbra);
+                                      std::span<const Signs> signs, const Components& components);
 
-/// Nearest scored pixel with .2 < R < .8, -1 without any.
-std::vector<int32_t> nearest_penumbra_pixels(const FaultInput& input);
+/// Whether the nearest blocker of a shadowed pixel touches it, as far as map and picture can tell.
+bool in_contact(const FaultInput& input, size_t i);
+
+/// Nearest scored pixel with .2 < R < .8 or beside one on the other side of .5, -1 without any.
+std::vector<int32_t> nearest_edge_pixels(const FaultInput& input);
 
 }  // namespace umbrameter

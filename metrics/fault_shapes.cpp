@@ -17,41 +17,133 @@ double distance_px(size_t i, int32_t j, int width) {
                     static_cast<double>(at / columns - j / columns));
 }
 
-// Per component, how far its innermost pixel is from the nearest pixel outside.
-std::vector<double> inscribed_radii(const FaultInput& input, const Components& components) {
-  std::vector<uint8_t> outside(components.label.size());
-  for (size_t i = 0; i < outside.size(); ++i) outside[i] = components.label[i] < 0 ? 1 : 0;
-  const std::vector<int32_t> nearest = nearest_feature(outside, input.surface.width, input.surface.height);
-  std::vector<double> radii(components.count, 0.0);
-  for (size_t i = 0; i < outside.size(); ++i) {
+constexpr double kSolidShare = 0.5;    // of what is wrong, covered by the disc
+constexpr double kOpenRim = 0.25;      // of a shadow's rim; facets that are dark as a whole have less
+constexpr double kRadiusTexels = 1.5;  // acne's stripes are at most a texel wide
+constexpr double kLargestRadiusPx = 64.0;
+
+// A shape of `dark` < .5, what it meets of `other` < .5, and what the rules ask of the pixels it does not meet.
+struct Shape {
+  size_t pixels = 0, met = 0;
+  size_t contact = 0;        // pixels whose blocker is in contact
+  size_t rim = 0, open = 0;  // neighbours outside it; those that go on with its surface
+  size_t solid = 0;
+
+  size_t wrong() const { return pixels - met; }
+};
+
+bool is_unmatched(const FaultInput& input, const Shape& shape) {
+  return shape.pixels >= input.settings.min_component_px &&
+         static_cast<double>(shape.met) < input.settings.lost_overlap * static_cast<double>(shape.pixels);
+}
+
+// The overlap is measured against the shape alone, so that a neighbour's shadow merging with it in one image
+// only does not hide it.
+std::vector<Shape> measure_overlap(const Components& components, std::span<const float> other) {
+  std::vector<Shape> shapes(components.count);
+  for (size_t i = 0; i < components.label.size(); ++i) {
     if (components.label[i] < 0) continue;
-    double& radius = radii[static_cast<size_t>(components.label[i])];
-    // Without any outside the component is the image.
-    radius = std::max(radius, nearest[i] < 0 ? components.label.size() * 1.0
-                                             : distance_px(i, nearest[i], input.surface.width));
+    Shape& shape = shapes[static_cast<size_t>(components.label[i])];
+    ++shape.pixels;
+    shape.met += other[i] < 0.5f ? 1 : 0;
   }
-  return radii;
+  return shapes;
+}
+
+bool any_unmatched(const FaultInput& input, const std::vector<Shape>& shapes) {
+  return std::any_of(shapes.begin(), shapes.end(), [&](const Shape& s) { return is_unmatched(input, s); });
+}
+
+// visit(shape, i) for the wrong pixels of unmatched shapes.
+template <class Visit>
+void for_wrong_pixels(const FaultInput& input, const Components& components, std::span<const float> other,
+                      std::vector<Shape>& shapes, const Visit& visit) {
+  for (size_t i = 0; i < components.label.size(); ++i) {
+    if (components.label[i] < 0 || other[i] < 0.5f) continue;
+    Shape& shape = shapes[static_cast<size_t>(components.label[i])];
+    if (is_unmatched(input, shape)) visit(shape, i);
+  }
+}
+
+void count_rim(const FaultInput& input, const Components& components, size_t i, size_t j, Shape& shape) {
+  if (components.label[j] == components.label[i]) return;
+  ++shape.rim;
+  shape.open += input.mask[j] != 0 && same_surface(input.surface, i, j) ? 1 : 0;
+}
+
+double solid_radius_px(const FaultInput& input, size_t i) {
+  const double texel_px = footprint_px(texel_step(input.texels, input.surface, i));
+  return std::clamp(kRadiusTexels * texel_px, input.settings.extra_shadow_radius_px, kLargestRadiusPx);
+}
+
+// Erosion and dilation of the shapes by the disc, so that stripes and their crossings drop out.
+std::vector<uint8_t> opened(const FaultInput& input, const Components& components) {
+  const int width = input.surface.width, height = input.surface.height;
+  std::vector<uint8_t> outside(components.label.size()), core(components.label.size(), 0);
+  for (size_t i = 0; i < outside.size(); ++i) outside[i] = components.label[i] < 0 ? 1 : 0;
+  const std::vector<int32_t> nearest_outside = nearest_feature(outside, width, height);
+  for_each_row(height, [&](int y) {
+    const size_t begin = static_cast<size_t>(y) * static_cast<size_t>(width);
+    for (size_t i = begin; i < begin + static_cast<size_t>(width); ++i) {
+      if (components.label[i] < 0) continue;
+      const bool is_core =
+          nearest_outside[i] < 0 || distance_px(i, nearest_outside[i], width) >= solid_radius_px(input, i);
+      core[i] = is_core ? 1 : 0;
+    }
+  });
+  const std::vector<int32_t> nearest_core = nearest_feature(core, width, height);
+  std::vector<uint8_t> solid(core.size(), 0);
+  for (size_t i = 0; i < solid.size(); ++i) {
+    if (components.label[i] < 0 || nearest_core[i] < 0) continue;
+    const size_t at = static_cast<size_t>(nearest_core[i]);
+    solid[i] = distance_px(i, nearest_core[i], width) < solid_radius_px(input, at) ? 1 : 0;
+  }
+  return solid;
+}
+
+bool is_solid(const FaultInput& input, const Shape& shape) {
+  const double wrong = static_cast<double>(shape.wrong());
+  return is_unmatched(input, shape) && static_cast<double>(shape.solid) >= kSolidShare * wrong &&
+         static_cast<double>(shape.open) >= kOpenRim * static_cast<double>(shape.rim);
+}
+
+template <class Keep>
+std::vector<uint8_t> pixels_of(const FaultInput& input, const Components& components,
+                               const std::vector<Shape>& shapes, const Keep& keep) {
+  return select(input, [&](size_t i) {
+    return components.label[i] >= 0 && keep(shapes[static_cast<size_t>(components.label[i])]);
+  });
 }
 
 }  // namespace
 
-std::vector<uint8_t> unmatched_shapes(const FaultInput& input, std::span<const float> dark,
-                                      std::span<const float> other, double min_radius_px) {
-  const Components shapes = components_of(input, select(input, [&](size_t i) { return dark[i] < 0.5f; }));
-  std::vector<size_t> pixels(shapes.count, 0), met(shapes.count, 0);
-  for (size_t i = 0; i < shapes.label.size(); ++i) {
-    if (shapes.label[i] < 0) continue;
-    ++pixels[static_cast<size_t>(shapes.label[i])];
-    if (other[i] < 0.5f) ++met[static_cast<size_t>(shapes.label[i])];
-  }
-  const std::vector<double> radii =
-      min_radius_px > 0.0 ? inscribed_radii(input, shapes) : std::vector<double>(shapes.count, 0.0);
-  return select(input, [&](size_t i) {
-    if (shapes.label[i] < 0) return false;
-    const size_t k = static_cast<size_t>(shapes.label[i]);
-    return pixels[k] >= input.settings.min_component_px && radii[k] >= min_radius_px &&
-           static_cast<double>(met[k]) < input.settings.lost_overlap * static_cast<double>(pixels[k]);
+std::vector<uint8_t> lost_shapes(const FaultInput& input, bool contact) {
+  const Components components =
+      components_of(input, select(input, [&](size_t i) { return input.r[i] < 0.5f; }));
+  std::vector<Shape> shapes = measure_overlap(components, input.v);
+  if (!any_unmatched(input, shapes)) return {};
+  for_wrong_pixels(input, components, input.v, shapes,
+                   [&](Shape& shape, size_t i) { shape.contact += in_contact(input, i) ? 1 : 0; });
+  return pixels_of(input, components, shapes, [&](const Shape& shape) {
+    return is_unmatched(input, shape) && (2 * shape.contact > shape.wrong()) == contact;
   });
+}
+
+std::vector<uint8_t> extra_shapes(const FaultInput& input) {
+  const Components components =
+      components_of(input, select(input, [&](size_t i) { return input.v[i] < 0.5f; }));
+  std::vector<Shape> shapes = measure_overlap(components, input.r);
+  if (!any_unmatched(input, shapes)) return {};
+  const std::vector<uint8_t> solid = opened(input, components);
+  const size_t width = static_cast<size_t>(input.surface.width);
+  for_wrong_pixels(input, components, input.r, shapes, [&](Shape& shape, size_t i) {
+    shape.solid += solid[i];
+    if (i % width > 0) count_rim(input, components, i, i - 1, shape);
+    if (i % width + 1 < width) count_rim(input, components, i, i + 1, shape);
+    if (i >= width) count_rim(input, components, i, i - width, shape);
+    if (i + width < solid.size()) count_rim(input, components, i, i + width, shape);
+  });
+  return pixels_of(input, components, shapes, [&](const Shape& shape) { return is_solid(input, shape); });
 }
 
 // Twice the largest distance to a pixel outside, less one pixel, is n for a strip n pixels wide.

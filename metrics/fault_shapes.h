@@ -12,13 +12,15 @@
 
 namespace umbrameter {
 
-/// 1 where a pixel is scored and predicate(i).
+/// predicate(i), a small number or a truth, where a pixel is scored, 0 elsewhere.
 template <class Predicate>
 std::vector<uint8_t> select(const FaultInput& input, const Predicate& predicate) {
   std::vector<uint8_t> selected(input.mask.size());
   for_each_row(input.surface.height, [&](int y) {
     const size_t width = static_cast<size_t>(input.surface.width), begin = static_cast<size_t>(y) * width;
-    for (size_t i = begin; i < begin + width; ++i) selected[i] = input.mask[i] != 0 && predicate(i) ? 1 : 0;
+    for (size_t i = begin; i < begin + width; ++i) {
+      selected[i] = input.mask[i] != 0 ? static_cast<uint8_t>(predicate(i)) : 0;
+    }
   });
   return selected;
 }
@@ -27,12 +29,14 @@ inline Components components_of(const FaultInput& input, std::span<const uint8_t
   return label_components(mask, input.surface.width, input.surface.height);
 }
 
-/// 1 on the 8-connected shapes of `dark` < .5 that hardly meet `other` < .5. The overlap is measured against
-/// the shape alone, so that a neighbour's shadow merging with it in one image only does not hide it. Shapes
-/// are left out when they have fewer pixels than min_component_px or an inscribed radius below
-/// `min_radius_px`.
-std::vector<uint8_t> unmatched_shapes(const FaultInput& input, std::span<const float> dark,
-                                      std::span<const float> other, double min_radius_px);
+/// 1 on the 8-connected shapes of R < .5 that hardly meet V < .5, those whose blockers are in contact or the
+/// others. Shapes of fewer than min_component_px pixels are left out. Empty without any.
+std::vector<uint8_t> lost_shapes(const FaultInput& input, bool in_contact);
+
+/// 1 on the 8-connected shapes of V < .5 that hardly meet R < .5 and are solid: a disc of extra_shadow_radius_px
+/// (or a texel and a half) that fits into them, moved about, covers half of what is wrong. Acne's stripes are
+/// not, and a facet that is dark from rim to rim shadows itself: it is left out, too. Empty without any.
+std::vector<uint8_t> extra_shapes(const FaultInput& input);
 
 /// The width of the widest place of each component of `gap` on the receiver, median over components.
 std::optional<double> median_gap_world(const FaultInput& input, std::span<const uint8_t> gap);

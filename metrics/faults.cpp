@@ -4,6 +4,7 @@
 #include "metrics/checks.h"
 #include "metrics/fault_evidence.h"
 #include "metrics/fault_shapes.h"
+#include "metrics/tiles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +15,8 @@ namespace umbrameter {
 namespace {
 
 constexpr std::array<std::string_view, kFaultClasses> kNames = {
-    "unscored",      "explained", "acne",           "terminator",  "extra_shadow", "penumbra",
-    "peter_panning", "bleed",     "geometric_leak", "lost_shadow", "other"};
+    "unscored", "explained",  "acne",          "terminator", "extra_shadow",   "penumbra",
+    "overlap",  "resolution", "peter_panning", "bleed",      "geometric_leak", "lost_shadow"};
 
 FaultInput checked_input(const Image& test, const Image& reference, std::span<const uint8_t> mask,
                          std::span<const PenumbraProfile> profiles, const Envelope& envelope,
@@ -43,12 +44,14 @@ FaultInput checked_input(const Image& test, const Image& reference, std::span<co
           {reference.plane("shading_normal.x"), reference.plane("shading_normal.y"),
            reference.plane("shading_normal.z")},
           reference.plane("blocker_distance_min"),
-          reference.plane("blocker_layers")};
+          reference.plane("blocker_layers"),
+          checked_texels(test, mask)};
 }
 
 // A shape takes along the connected error around it, its penumbra, up to three times its own size.
 void claim_shapes(const FaultInput& input, float sign, std::span<const uint8_t> shape, FaultClass fault,
                   Faults& out) {
+  if (shape.empty()) return;
   const Components errors =
       components_of(input, select(input, [&](size_t i) {
                       return sign * (input.v[i] - input.r[i]) > input.envelope.tolerance[i] || shape[i] != 0;
@@ -64,54 +67,108 @@ void claim_shapes(const FaultInput& input, float sign, std::span<const uint8_t> 
     const size_t k = static_cast<size_t>(errors.label[i]);
     if (shape[i] != 0 || 4 * claimed[k] >= pixels[k]) out.classes[i] = fault;
   }
-  out.by_class[static_cast<size_t>(fault)].components +=
-      static_cast<size_t>(std::count_if(claimed.begin(), claimed.end(), [](size_t n) { return n > 0; }));
 }
 
-// Speckles beside a penumbra are not its softness: that is wrong along a stretch of it.
+// Wrong along a stretch of a penumbra and in it; speckles beside one are not its softness.
 bool is_softness(const Evidence& e) {
-  return e.mostly(e.penumbra, 0.8) && static_cast<double>(e.pixels) * e.mass >= 2.0 * e.width_px;
+  const double partial = e.mass - e.of(Sign::plain);
+  return e.mostly(Sign::near, 0.8) && partial > 0.1 * e.mass &&
+         static_cast<double>(e.pixels) * e.mass >= 2.0 * e.width_px;
+}
+
+FaultClass softness(const Evidence& e) {
+  return e.of(Sign::overlap) > e.of(Sign::separate) ? FaultClass::overlap : FaultClass::penumbra;
 }
 
 FaultClass cause_of_dark(const Evidence& e, const FaultSettings&) {
-  if (e.mostly(e.terminator)) return FaultClass::terminator;
-  if (is_softness(e)) return FaultClass::penumbra;
-  return e.mostly(e.lit) ? FaultClass::acne : FaultClass::other;
+  if (e.mostly(Sign::terminator)) return FaultClass::terminator;
+  if (e.mostly(Sign::edge)) return FaultClass::resolution;
+  if (is_softness(e)) return softness(e);
+  return e.mostly(Sign::plain) ? FaultClass::acne : softness(e);
 }
 
 FaultClass cause_of_bright(const Evidence& e, const FaultSettings& settings) {
-  if (e.mostly(e.contact)) return FaultClass::peter_panning;
-  if (is_softness(e)) return FaultClass::penumbra;
-  if (e.mostly(e.layered) && e.test <= settings.bleed_max_visibility * e.mass) return FaultClass::bleed;
-  return e.reference < 0.5 * e.mass ? FaultClass::geometric_leak : FaultClass::other;
+  if (e.mostly(Sign::terminator)) return FaultClass::terminator;
+  if (e.mostly(Sign::contact)) return FaultClass::peter_panning;
+  if (e.mostly(Sign::edge)) return FaultClass::resolution;
+  if (is_softness(e)) return softness(e);
+  if (e.mostly(Sign::layered) && e.test <= settings.bleed_max_visibility * e.mass) return FaultClass::bleed;
+  return e.mostly(Sign::plain) ? FaultClass::geometric_leak : softness(e);
 }
 
-template <class Cause>
-void classify_residual(const FaultInput& input, std::span<const float> residual,
-                       std::span<const int32_t> penumbra, const Cause& cause, Faults& out) {
-  const auto unclaimed = [&](size_t i) {
-    return residual[i] > 0.0f && out.classes[i] == FaultClass::explained;
-  };
-  const Components components = components_of(input, select(input, unclaimed));
-  std::vector<FaultClass> causes;
-  for (const Evidence& evidence : gather_evidence(input, residual, components, penumbra)) {
-    causes.push_back(cause(evidence, input.settings));
-    ++out.by_class[static_cast<size_t>(causes.back())].components;
+using Cause = FaultClass (*)(const Evidence&, const FaultSettings&);
+
+// Pieces of one kind of the components that no kind has to itself; small ones stay with the whole.
+void classify_pieces(const FaultInput& input, std::span<const float> residual, std::span<const Signs> signs,
+                     const Components& components, std::span<const Evidence> wholes, Cause cause,
+                     Faults& out) {
+  const std::vector<uint8_t> kinds = select(input, [&](size_t i) {
+    if (components.label[i] < 0) return 0;
+    const Evidence& whole = wholes[static_cast<size_t>(components.label[i])];
+    return !whole.is_mixed() || is_softness(whole) ? 0 : 1 + static_cast<int>(kind_of(signs[i]));
+  });
+  const Components pieces = components_of(input, kinds);
+  const std::vector<Evidence> evidence = gather_evidence(input, residual, signs, pieces);
+  for (size_t i = 0; i < residual.size(); ++i) {
+    if (pieces.label[i] < 0) continue;
+    const Evidence& piece = evidence[static_cast<size_t>(pieces.label[i])];
+    if (piece.pixels >= input.settings.min_component_px) out.classes[i] = cause(piece, input.settings);
   }
+}
+
+void classify_residual(const FaultInput& input, std::span<const float> residual, bool is_dark,
+                       std::span<const int32_t> nearest_edge, Faults& out) {
+  const Cause cause = is_dark ? cause_of_dark : cause_of_bright;
+  const std::vector<Signs> signs = read_signs(input, residual, is_dark, nearest_edge);
+  const Components components = components_of(
+      input,
+      select(input, [&](size_t i) { return residual[i] > 0.0f && out.classes[i] == FaultClass::explained; }));
+  const std::vector<Evidence> wholes = gather_evidence(input, residual, signs, components);
+  std::vector<FaultClass> causes;
+  for (const Evidence& whole : wholes) causes.push_back(cause(whole, input.settings));
   for (size_t i = 0; i < residual.size(); ++i) {
     if (components.label[i] >= 0) out.classes[i] = causes[static_cast<size_t>(components.label[i])];
   }
+  if (std::any_of(wholes.begin(), wholes.end(), [](const Evidence& e) { return e.is_mixed(); })) {
+    classify_pieces(input, residual, signs, components, wholes, cause, out);
+  }
 }
 
-void add_shares(const FaultInput& input, Faults& out) {
-  std::array<double, kFaultClasses> errors{};
-  for (size_t i = 0; i < out.classes.size(); ++i) {
-    const size_t k = static_cast<size_t>(out.classes[i]);
-    ++out.by_class[k].pixels;
-    if (input.mask[i] == 0) continue;
-    ++out.scored_pixels;
-    errors[k] += std::abs(static_cast<double>(input.v[i]) - input.r[i]);
+void count_components(const FaultInput& input, Faults& out) {
+  const std::vector<uint8_t> kinds = select(input, [&](size_t i) {
+    return out.classes[i] == FaultClass::explained ? 0 : static_cast<int>(out.classes[i]);
+  });
+  const Components components = components_of(input, kinds);
+  size_t next = 0;  // labels are in reading order of first pixels
+  for (size_t i = 0; i < kinds.size(); ++i) {
+    if (components.label[i] != static_cast<int32_t>(next)) continue;
+    ++out.by_class[kinds[i]].components;
+    ++next;
   }
+}
+
+struct ClassSums {
+  std::array<size_t, kFaultClasses> pixels{};
+  std::array<double, kFaultClasses> errors{};
+};
+
+void add_shares(const FaultInput& input, Faults& out) {
+  const TileGrid grid = {out.width, out.height, 64};
+  const auto tiles = for_each_tile<ClassSums>(grid, [&](const Tile& tile, ClassSums& sums) {
+    for_each_pixel(grid, tile, [&](size_t i) {
+      const size_t k = static_cast<size_t>(out.classes[i]);
+      ++sums.pixels[k];
+      if (input.mask[i] != 0) sums.errors[k] += std::abs(input.error(i));
+    });
+  });
+  std::array<double, kFaultClasses> errors{};
+  for (const ClassSums& tile : tiles) {
+    for (size_t k = 0; k < kFaultClasses; ++k) {
+      out.by_class[k].pixels += tile.pixels[k];
+      errors[k] += tile.errors[k];
+    }
+  }
+  out.scored_pixels = out.classes.size() - out.of(FaultClass::unscored).pixels;
   if (out.scored_pixels == 0) return;
   out.mean_abs_error = 0.0;
   for (size_t k = 0; k < kFaultClasses; ++k) {
@@ -137,14 +194,17 @@ Faults classify_faults(const Image& test, const Image& reference, std::span<cons
   for (size_t i = 0; i < mask.size(); ++i) {
     if (mask[i] != 0) out.classes[i] = FaultClass::explained;
   }
-  claim_shapes(input, 1.0f, unmatched_shapes(input, input.r, input.v, 0.0), FaultClass::lost_shadow, out);
-  claim_shapes(input, -1.0f, unmatched_shapes(input, input.v, input.r, settings.extra_shadow_radius_px),
-               FaultClass::extra_shadow, out);
-  const std::vector<int32_t> penumbra = nearest_penumbra_pixels(input);
-  classify_residual(input, envelope.dark, penumbra, cause_of_dark, out);
-  classify_residual(input, envelope.bright, penumbra, cause_of_bright, out);
-  out.peter_panning_gap_world = median_gap_world(
-      input, select(input, [&](size_t i) { return out.classes[i] == FaultClass::peter_panning; }));
+  claim_shapes(input, 1.0f, lost_shapes(input, false), FaultClass::lost_shadow, out);
+  claim_shapes(input, 1.0f, lost_shapes(input, true), FaultClass::peter_panning, out);
+  claim_shapes(input, -1.0f, extra_shapes(input), FaultClass::extra_shadow, out);
+  const std::vector<int32_t> nearest_edge = nearest_edge_pixels(input);
+  classify_residual(input, envelope.dark, true, nearest_edge, out);
+  classify_residual(input, envelope.bright, false, nearest_edge, out);
+  count_components(input, out);
+  if (out.of(FaultClass::peter_panning).components > 0) {
+    out.peter_panning_gap_world = median_gap_world(
+        input, select(input, [&](size_t i) { return out.classes[i] == FaultClass::peter_panning; }));
+  }
   add_shares(input, out);
   return out;
 }

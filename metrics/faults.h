@@ -18,25 +18,26 @@ enum class FaultClass : uint8_t {
   acne,            // unexplained dark where all around is fully lit
   terminator,      // unexplained dark where shading and geometric normals disagree
   extra_shadow,    // a solid dark shape the truth has not
-  penumbra,        // unexplained along a penumbra, within one width of it: softness is wrong
+  penumbra,        // unexplained in or along a penumbra: its softness is wrong
+  overlap,         // the same where penumbrae overlap
+  resolution,      // unexplained within a texel and a half of an edge narrower than two texels
   peter_panning,   // unexplained bright where the blocker is in contact
   bleed,           // unexplained, not full, bright where several blockers lie behind each other
   geometric_leak,  // other unexplained bright in shadow: missing caster, culling, cascade edge
   lost_shadow,     // a whole shadow of the truth that the test has not
-  other,           // unexplained, none of the above
 };
-inline constexpr size_t kFaultClasses = 11;
+inline constexpr size_t kFaultClasses = 12;
 
 /// The enumerator's own word.
 std::string_view name_of(FaultClass fault);
 
 struct FaultSettings {
-  /// Blockers closer than this are in contact: 3 shadow texels or 4 biases are good choices. Absent: 6
-  /// pixels' extent on the receiver.
+  /// Blockers closer than this are in contact; 4 biases are a good choice. Absent: 6 pixels' extent on the
+  /// receiver or 3 texels, whichever is more.
   std::optional<double> contact_distance_world;
   double lit_epsilon = 0.01;            // fully lit: 1 - this
   double terminator_deg = 10.0;         // between shading and geometric normal
-  double bleed_layers = 2.0;            // blockers on a blocked ray; a closed caster counts each of its walls
+  double bleed_layers = 1.25;           // blockers on a blocked ray, on average
   double bleed_max_visibility = 0.8;    // mean over the component; a missing caster leaves full light
   double lost_overlap = 0.2;            // share of a shadow that may be found and the shadow still be lost
   size_t min_component_px = 12;         // of a lost or extra shadow
@@ -45,7 +46,7 @@ struct FaultSettings {
 
 struct FaultShare {
   size_t pixels = 0;
-  size_t components = 0;        // 0 for unscored and explained
+  size_t components = 0;        // connected places; 0 for unscored and explained
   double mean_abs_error = 0.0;  // sum |V - R| over its pixels, over all scored pixels
 };
 
@@ -63,8 +64,9 @@ struct Faults {
 
 /// `envelope` and `profiles` are those of the same pair and mask. Beside visibility needs, in the reference,
 /// position, normal, shading_normal, primitive_id, blocker_distance_min and blocker_layers (both 0 where
-/// unknown). A component of the residual gets the class that most of its residual speaks for. Error{input} on
-/// size mismatch, missing channels, NaN, values outside [0,1].
+/// unknown); uses texel.x, texel.y and texel_world of the test if it has them. A component of the residual gets
+/// the class that four fifths of it speak for; a mixed one is divided. Error{input} on size mismatch, missing
+/// channels, NaN, values outside [0,1].
 Faults classify_faults(const Image& test, const Image& reference, std::span<const uint8_t> mask,
                        std::span<const PenumbraProfile> profiles, const Envelope& envelope,
                        const FaultSettings& settings = {});

@@ -102,6 +102,23 @@ ProfileOutcome judge_test(std::span<const float> test, size_t seed, const Walk& 
   return ProfileOutcome::accepted;
 }
 
+void count_levels(const ReferenceField& field, std::span<const float> test, size_t seed, const Walk& dark,
+                  const Walk& bright, PenumbraProfile& profile) {
+  std::vector<long> levels;
+  const auto add = [&](size_t i) {
+    if (field.visibility[i] > 0.05f && field.visibility[i] < 0.95f) {
+      levels.push_back(std::lround(4096.0 * test[i]));
+    }
+  };
+  add(seed);
+  for (const Walk* walk : {&dark, &bright}) {
+    for (size_t k = 0; k < walk->reference_count; ++k) add(walk->samples[k].pixel);
+  }
+  profile.ramp_px = levels.size();
+  std::sort(levels.begin(), levels.end());
+  profile.ramp_levels = static_cast<size_t>(std::unique(levels.begin(), levels.end()) - levels.begin());
+}
+
 PenumbraProfile measure_profile(const ReferenceField& field, std::span<const float> test, const Seed& seed,
                                 const PenumbraSettings& settings) {
   const size_t width = static_cast<size_t>(field.surface.width);
@@ -118,9 +135,34 @@ PenumbraProfile measure_profile(const ReferenceField& field, std::span<const flo
   const Walk bright = walk_profile(field, test, seed.pixel, *ascent, true, settings.max_length_px);
   double center = 0.0;
   profile.outcome = judge_reference(field, seed.pixel, *ascent, dark, bright, settings, profile, center);
-  if (profile.outcome != ProfileOutcome::accepted) return profile;
-  profile.outcome = judge_test(test, seed.pixel, dark, bright, settings, center, profile);
-  return profile;
+  const bool too_narrow = profile.outcome == ProfileOutcome::too_narrow;
+  if (profile.outcome != ProfileOutcome::accepted && !too_narrow) return profile;
+  PenumbraProfile judged = profile;
+  judged.outcome = judge_test(test, seed.pixel, dark, bright, settings, center, judged);
+  if (judged.outcome == ProfileOutcome::accepted) judged.edge_offset_world = judged.offset_world;
+  if (too_narrow) {
+    profile.edge_offset_world = judged.edge_offset_world;
+    return profile;
+  }
+  count_levels(field, test, seed.pixel, dark, bright, judged);
+  return judged;
+}
+
+bool is_measured(const PenumbraProfile& profile) {
+  return profile.reference_width_world > 0.0;
+}
+
+// The slope of a saddle or a faint penumbra's middle tells no width: what was not measured is no wider than
+// what was.
+void limit_widths(std::vector<PenumbraProfile>& profiles) {
+  double widest_px = 0.0;
+  for (const PenumbraProfile& profile : profiles) {
+    if (is_measured(profile)) widest_px = std::max(widest_px, profile.reference_width_px);
+  }
+  if (widest_px == 0.0) return;
+  for (PenumbraProfile& profile : profiles) {
+    if (!is_measured(profile)) profile.reference_width_px = std::min(profile.reference_width_px, widest_px);
+  }
 }
 
 constexpr std::array<std::string_view, kProfileOutcomes> kOutcomeNames = {
@@ -177,6 +219,7 @@ PenumbraError measure_penumbra(const Image& test, const Image& reference, std::s
         std::log2(profile->test_width_10_90_world / profile->reference_width_10_90_world));
     offsets.push_back(profile->offset_world);
   }
+  limit_widths(out.profiles);
   out.width_octaves = spread_of(octaves);
   out.width_10_90_octaves = spread_of(octaves_10_90);
   out.offset_world = spread_of(offsets);

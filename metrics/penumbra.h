@@ -44,12 +44,17 @@ std::string_view name_of(ProfileOutcome outcome);
 struct PenumbraProfile {
   int x = 0, y = 0;  // pixel on the ridge, visibility about .5
   ProfileOutcome outcome = ProfileOutcome::accepted;
-  double reference_width_px = 0.0;  // along the walk; from the slope on the ridge when not measured
+  double reference_width_px =
+      0.0;  // along the walk; when not measured from the slope, at most the widest measured
   double reference_width_world = 0.0;
   double reference_width_10_90_world = 0.0;
   double test_width_world = 0.0;  // from here on only when accepted
   double test_width_10_90_world = 0.0;
   double offset_world = 0.0;  // of the test's half-way point, positive towards the light: shadow too large
+  size_t ramp_px = 0;         // pixels where the reference is between .05 and .95
+  size_t ramp_levels = 0;     // distinct visibilities of the test there, told apart to 1/4096
+  /// offset_world of profiles that are too narrow, too: an edge has a place without a width.
+  std::optional<double> edge_offset_world;
 };
 
 struct Spread {

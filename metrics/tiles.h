@@ -30,12 +30,27 @@ struct TileGrid {
   }
 };
 
+/// body(i, result) for 0 <= i < count; results in that order.
+template <class Result, class Body>
+std::vector<Result> for_each_index(size_t count, const Body& body) {
+  std::vector<Result> results(count);
+  tbb::parallel_for(size_t{0}, count, [&](size_t i) { body(i, results[i]); });
+  return results;
+}
+
 /// body(tile, result) for every tile; results in reading order.
 template <class Result, class Body>
 std::vector<Result> for_each_tile(const TileGrid& grid, const Body& body) {
-  std::vector<Result> results(grid.count());
-  tbb::parallel_for(size_t{0}, grid.count(), [&](size_t i) { body(grid.tile(i), results[i]); });
-  return results;
+  return for_each_index<Result>(grid.count(), [&](size_t i, Result& result) { body(grid.tile(i), result); });
+}
+
+/// body(i) for every pixel index of a tile, in reading order.
+template <class Body>
+void for_each_pixel(const TileGrid& grid, const Tile& tile, const Body& body) {
+  for (int y = tile.y0; y < tile.y1; ++y) {
+    const size_t row = static_cast<size_t>(y) * static_cast<size_t>(grid.width);
+    for (size_t i = row + static_cast<size_t>(tile.x0); i < row + static_cast<size_t>(tile.x1); ++i) body(i);
+  }
 }
 
 /// body(y) for every row.

@@ -4,6 +4,7 @@
 #include "realtime/executor/check_visibility.h"
 #include "realtime/executor/execute.h"
 #include "realtime/executor/receivers.h"
+#include "realtime/executor/texel_planes.h"
 #include "realtime/harness/context.h"
 #include "realtime/harness/gbuffer.h"
 #include "realtime/harness/readback.h"
@@ -217,7 +218,8 @@ class GlRenderer final : public Renderer {
     read_texture(plan.targets->visibility(), channels, frame.image);
     if (const auto warning = check_visibility(frame.image, technique.id)) frame.warnings.push_back(*warning);
     if (!plan.center_view) return;
-    const double outside = share_outside(frame.image, *plan.center_view);
+    add_texel_planes(*plan.center_view, frame.image);
+    const double outside = share_outside(frame.image, plan.center_view->view);
     if (outside == 0.0) return;
     frame.warnings.push_back(
         fmt::format("technique '{}': {:.3g} % of the receivers lie outside the light's map and count as lit",

@@ -31,8 +31,9 @@ struct ReferenceSettings {
 //       Samples taken; 0 where none was needed.
 //   blocker_distance, blocker_distance_min, blocker_layers
 //       From 16 further rays, where visibility < 1; 0 when none of them is blocked. Mean and least distance (world)
-//       from the receiver to the first surface on a blocked ray; mean number of surfaces on a blocked ray, those
-//       closer than 1e-6 of their distance counted once.
+//       from the receiver to the first surface on a blocked ray; mean number of layers on a blocked ray: its
+//       surfaces wound towards the light or those wound away, whichever are more, so that a solid is one layer as a
+//       sheet is. Surfaces closer than 1e-6 of their distance count once.
 // Background: visibility, halves and irradiance_ratio are 1, primitive_id -1, everything else 0.
 
 /// Independently scrambled Sobol sets per pixel: 4 make half A, 4 make half B; their spread gives the

@@ -37,6 +37,8 @@ DiagnosedImage diagnose(const Image& test, const Image& reference, std::span<con
   out.numbers.contact_hardening = measure_contact_hardening(penumbra);
   out.numbers.faults = {faults.scored_pixels, faults.by_class, faults.mean_abs_error,
                         faults.peter_panning_gap_world};
+  out.numbers.moire = measure_moire(test, reference, mask, faults);
+  out.numbers.causes = measure_causes(test, reference, mask, penumbra.profiles);
   out.classes = std::move(faults.classes);
   return out;
 }

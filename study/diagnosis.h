@@ -3,8 +3,10 @@
 // (docs/metrics.md). Not here: how wrong they are (study/score.h).
 
 #include "core/image.h"
+#include "metrics/causes.h"
 #include "metrics/contact_hardening.h"
 #include "metrics/faults.h"
+#include "metrics/moire.h"
 #include "metrics/penumbra.h"
 
 #include <array>
@@ -40,6 +42,8 @@ struct Diagnosis {
   PenumbraNumbers penumbra;
   ContactHardening contact_hardening;
   FaultNumbers faults;
+  Moire moire;
+  ErrorCauses causes;
 };
 
 struct DiagnosedImage {
@@ -51,7 +55,7 @@ struct DiagnosedImage {
 /// the penumbra's width says it better. Absent without any.
 std::optional<FaultClass> worst_fault(const FaultNumbers& faults);
 
-/// Needs visibility in `test`, and in `reference` also visibility_se, position, normal, shading_normal,
+/// Needs visibility in `test` (and uses texel.x, texel.y, texel_world if there), and in `reference` also visibility_se, position, normal, shading_normal,
 /// primitive_id, blocker_distance_min and blocker_layers. Error{input} as for the metrics.
 DiagnosedImage diagnose(const Image& test, const Image& reference, std::span<const uint8_t> mask);
 

@@ -47,6 +47,23 @@ std::string part_text(double mean_abs_error) {
   return mean_abs_error < 1e-5 ? "< 0.00001" : format_error(mean_abs_error);
 }
 
+std::string moire_text(const Moire& moire) {
+  if (!moire.cycles_per_px) return "not identifiable";
+  const std::string texels = moire.cycles_per_texel
+                                 ? fmt::format("{:.2f} cycles a texel", *moire.cycles_per_texel)
+                                 : std::string("cycles a texel not identifiable");
+  return fmt::format("{:.3f} cycles a pixel, {} ({} tiles)", *moire.cycles_per_px, texels, moire.tiles);
+}
+
+/// Of the error where a texel is larger than a pixel.
+double coarse_part(const ErrorCauses& causes) {
+  double part = 0.0;
+  for (size_t k = 0; k < kFootprintBinsPx.size(); ++k) {
+    if (kFootprintBinsPx[k] >= 1.0) part += causes.by_footprint[k].mean_abs_error;
+  }
+  return part;
+}
+
 }  // namespace
 
 std::string format_fault(FaultClass fault) {
@@ -79,9 +96,36 @@ TermLines fault_lines(const Diagnosis& diagnosis) {
                        fmt::format("{} of mean |error|, {} pixels{}", part_text(share.mean_abs_error),
                                    share.pixels, places));
   }
-  if (!diagnosis.faults.peter_panning_gap_world) return lines;
-  lines.emplace_back("contact gap",
-                     fmt::format("{:.3g} world units", *diagnosis.faults.peter_panning_gap_world));
+  if (diagnosis.faults.peter_panning_gap_world) {
+    lines.emplace_back("contact gap",
+                       fmt::format("{:.3g} world units", *diagnosis.faults.peter_panning_gap_world));
+  }
+  if (diagnosis.faults.of(FaultClass::acne).pixels > 0) {
+    lines.emplace_back("acne frequency", moire_text(diagnosis.moire));
+  }
+  return lines;
+}
+
+TermLines cause_lines(const Diagnosis& diagnosis) {
+  const ErrorCauses& causes = diagnosis.causes;
+  TermLines lines;
+  if (causes.median_footprint_px) {
+    lines.emplace_back("texel footprint",
+                       fmt::format("{:.2g} px at the median, {} of mean |error| above 1 px",
+                                   *causes.median_footprint_px, part_text(coarse_part(causes))));
+  }
+  if (causes.stair_texels) {
+    lines.emplace_back(
+        "stairs", fmt::format("{:.2g} texels over {} profiles", *causes.stair_texels, causes.stair_profiles));
+  }
+  if (causes.banding) {
+    lines.emplace_back("banding", fmt::format("{:.2f}, {:.3g} levels at the median of {} penumbrae",
+                                              *causes.banding, *causes.levels, causes.banding_profiles));
+  }
+  if (causes.noise && causes.reference_noise) {
+    lines.emplace_back(
+        "noise", fmt::format("{:.2g} in penumbrae, truth {:.2g}", *causes.noise, *causes.reference_noise));
+  }
   return lines;
 }
 

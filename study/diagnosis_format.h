@@ -23,7 +23,10 @@ using TermLines = std::vector<std::pair<std::string, std::string>>;
 /// Width, offset, profiles and contact hardening.
 TermLines penumbra_lines(const Diagnosis& diagnosis);
 
-/// The worst fault, and every class that has pixels.
+/// The worst fault, every class that has pixels, gap and moire.
 TermLines fault_lines(const Diagnosis& diagnosis);
+
+/// The map's footprint and the error it goes with, stairs, banding and noise; what does not apply is left out.
+TermLines cause_lines(const Diagnosis& diagnosis);
 
 }  // namespace umbrameter

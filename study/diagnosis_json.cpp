@@ -84,6 +84,61 @@ FaultNumbers read_faults(const Json& json) {
   return faults;
 }
 
+OrderedJson moire_json(const Moire& moire) {
+  return {{"tiles", moire.tiles},
+          {"cycles_per_px", optional_json(moire.cycles_per_px)},
+          {"cycles_per_texel", optional_json(moire.cycles_per_texel)}};
+}
+
+Moire read_moire(const Json& json) {
+  return {json.at("tiles"), read_optional<double>(json.at("cycles_per_px")),
+          read_optional<double>(json.at("cycles_per_texel"))};
+}
+
+OrderedJson bin_json(std::optional<double> from_px, const FootprintBin& bin) {
+  return {
+      {"from_px", optional_json(from_px)}, {"pixels", bin.pixels}, {"mean_abs_error", bin.mean_abs_error}};
+}
+
+FootprintBin read_bin(const Json& json) {
+  return {json.at("pixels"), json.at("mean_abs_error")};
+}
+
+OrderedJson causes_json(const ErrorCauses& causes) {
+  OrderedJson bins = OrderedJson::array();
+  for (size_t k = 0; k < kFootprintBinsPx.size(); ++k) {
+    bins.push_back(bin_json(kFootprintBinsPx[k], causes.by_footprint[k]));
+  }
+  bins.push_back(bin_json(std::nullopt, causes.unknown));
+  return {{"by_footprint", bins},
+          {"median_footprint_px", optional_json(causes.median_footprint_px)},
+          {"stair_texels", optional_json(causes.stair_texels)},
+          {"stair_profiles", causes.stair_profiles},
+          {"banding", optional_json(causes.banding)},
+          {"levels", optional_json(causes.levels)},
+          {"banding_profiles", causes.banding_profiles},
+          {"noise", optional_json(causes.noise)},
+          {"reference_noise", optional_json(causes.reference_noise)}};
+}
+
+ErrorCauses read_causes(const Json& json, const FaultNumbers& faults) {
+  ErrorCauses causes;
+  causes.scored_pixels = faults.scored_pixels;
+  causes.mean_abs_error = faults.mean_abs_error;
+  const Json& bins = json.at("by_footprint");
+  for (size_t k = 0; k < kFootprintBinsPx.size(); ++k) causes.by_footprint[k] = read_bin(bins.at(k));
+  causes.unknown = read_bin(bins.at(kFootprintBinsPx.size()));
+  causes.median_footprint_px = read_optional<double>(json.at("median_footprint_px"));
+  causes.stair_texels = read_optional<double>(json.at("stair_texels"));
+  causes.stair_profiles = json.at("stair_profiles");
+  causes.banding = read_optional<double>(json.at("banding"));
+  causes.levels = read_optional<double>(json.at("levels"));
+  causes.banding_profiles = json.at("banding_profiles");
+  causes.noise = read_optional<double>(json.at("noise"));
+  causes.reference_noise = read_optional<double>(json.at("reference_noise"));
+  return causes;
+}
+
 }  // namespace
 
 void add_diagnosis(const std::optional<Diagnosis>& diagnosis, nlohmann::ordered_json& object) {
@@ -91,12 +146,15 @@ void add_diagnosis(const std::optional<Diagnosis>& diagnosis, nlohmann::ordered_
   object["contact_hardening"] =
       diagnosis ? hardening_json(diagnosis->contact_hardening) : OrderedJson(nullptr);
   object["faults"] = diagnosis ? faults_json(diagnosis->faults) : OrderedJson(nullptr);
+  object["moire"] = diagnosis ? moire_json(diagnosis->moire) : OrderedJson(nullptr);
+  object["causes"] = diagnosis ? causes_json(diagnosis->causes) : OrderedJson(nullptr);
 }
 
 std::optional<Diagnosis> read_diagnosis(const nlohmann::json& object) {
   if (object.at("penumbra").is_null()) return std::nullopt;
+  const FaultNumbers faults = read_faults(object.at("faults"));
   return Diagnosis{read_penumbra(object.at("penumbra")), read_hardening(object.at("contact_hardening")),
-                   read_faults(object.at("faults"))};
+                   faults, read_moire(object.at("moire")), read_causes(object.at("causes"), faults)};
 }
 
 }  // namespace umbrameter

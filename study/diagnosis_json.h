@@ -1,5 +1,6 @@
 #pragma once
-// Diagnosis <-> the keys `penumbra`, `contact_hardening` and `faults` of results.json (docs/results.md).
+// Diagnosis <-> the keys `penumbra`, `contact_hardening`, `faults`, `moire` and `causes` of results.json
+// (docs/results.md).
 
 #include "study/diagnosis.h"
 
@@ -9,7 +10,7 @@
 
 namespace umbrameter {
 
-/// Sets the three keys of `object`, to null without a diagnosis.
+/// Sets these keys of `object`, to null without a diagnosis.
 void add_diagnosis(const std::optional<Diagnosis>& diagnosis, nlohmann::ordered_json& object);
 
 /// Reads them back; absent when `penumbra` is null. nlohmann::json::exception for anything else.

@@ -52,4 +52,13 @@ std::string format_parity(const ParityNumbers& parity) {
       parity.surface_mismatch, parity.irradiance_mismatch, parity.median_relative_depth_error);
 }
 
+std::string format_temporal(const TemporalNumbers& temporal) {
+  const auto text = [](const std::optional<double>& value) {
+    return value ? fmt::format("{:.2g}", *value) : std::string(kNotApplicable);
+  };
+  return fmt::format("flicker {} (truth {}) under a moving camera, {} under a moving light, {} over seeds",
+                     text(temporal.camera.test), text(temporal.camera.reference), text(temporal.light.rms),
+                     text(temporal.seed_noise));
+}
+
 }  // namespace umbrameter

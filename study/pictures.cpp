@@ -24,11 +24,12 @@ constexpr std::array<FaultLegend, kFaultClasses> kFaultLegend{{
     {FaultClass::terminator, {204, 121, 167}, "terminator: dark where facets turn from the light"},
     {FaultClass::extra_shadow, {0, 0, 0}, "extra shadow"},
     {FaultClass::penumbra, {240, 228, 66}, "penumbra: too soft or too hard"},
+    {FaultClass::overlap, {150, 150, 20}, "overlap: wrong where penumbrae overlap"},
+    {FaultClass::resolution, {125, 75, 30}, "resolution: edges as coarse as a texel"},
     {FaultClass::peter_panning, {240, 140, 0}, "peter panning: light where objects touch"},
     {FaultClass::bleed, {86, 180, 233}, "bleed: dim light behind several blockers"},
     {FaultClass::geometric_leak, {0, 70, 200}, "geometric leak: other light in shadow"},
     {FaultClass::lost_shadow, {0, 158, 115}, "lost shadow"},
-    {FaultClass::other, {125, 75, 30}, "other"},
 }};
 
 Picture blank(int width_px, int height_px) {

@@ -5,6 +5,7 @@
 #include "core/error.h"
 #include "core/renderer.h"
 #include "metrics/parity.h"
+#include "metrics/temporal.h"
 #include "metrics/visibility_error.h"
 #include "study/diagnosis.h"
 #include "study/judgement.h"
@@ -56,6 +57,14 @@ struct ReferenceResult {
   std::string picture_file;  // PNG
 };
 
+/// Over sequences of the scene (study/temporal.h).
+struct TemporalNumbers {
+  int frames = 0;
+  Flicker camera;                    // moving camera
+  Popping light;                     // moving light
+  std::optional<double> seed_noise;  // of the technique's seeds
+};
+
 /// One technique with one parameter set on one scene. `error` is absent when the run failed, when parity
 /// voids the scene, or when the reference failed.
 struct TechniqueResult {
@@ -66,9 +75,10 @@ struct TechniqueResult {
   ParameterValues parameters;
   std::optional<Failure> failure;
   std::optional<VisibilityError> error;
-  Judgement judgement;                 // empty without `error`
-  std::optional<Diagnosis> diagnosis;  // absent without `error`, and when a warning says why
-  double clipped_share = 0.0;          // of scored pixels, beyond the error picture's scale
+  Judgement judgement;                      // empty without `error`
+  std::optional<Diagnosis> diagnosis;       // absent without `error`, and when a warning says why
+  std::optional<TemporalNumbers> temporal;  // when asked for
+  double clipped_share = 0.0;               // of scored pixels, beyond the error picture's scale
   std::vector<PassTime> pass_times;
   std::string timer;
   std::string device;

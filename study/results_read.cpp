@@ -73,6 +73,17 @@ std::vector<PassTime> read_times(const Json& json) {
   return times;
 }
 
+std::optional<TemporalNumbers> read_temporal(const Json& json) {
+  if (json.is_null()) return std::nullopt;
+  const Json &camera = json.at("camera"), &light = json.at("light");
+  return TemporalNumbers{
+      json.at("frames"),
+      {camera.at("points"), camera.at("rejected"), read_optional<double>(camera.at("test")),
+       read_optional<double>(camera.at("reference")), read_optional<double>(camera.at("excess"))},
+      {light.at("pixels"), read_optional<double>(light.at("rms"))},
+      read_optional<double>(json.at("seed_noise"))};
+}
+
 TechniqueResult read_technique(const Json& json) {
   TechniqueResult run;
   run.label = json.at("label");
@@ -95,6 +106,7 @@ TechniqueResult read_technique(const Json& json) {
   run.fault_picture_file = json.at("fault_picture_file");
   run.judgement = read_judgement(json);
   run.diagnosis = read_diagnosis(json);
+  run.temporal = read_temporal(json.at("temporal"));
   return run;
 }
 

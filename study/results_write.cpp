@@ -77,6 +77,19 @@ Json times_json(const std::vector<PassTime>& times) {
   return list;
 }
 
+Json temporal_json(const std::optional<TemporalNumbers>& temporal) {
+  if (!temporal) return nullptr;
+  return {{"frames", temporal->frames},
+          {"camera",
+           {{"points", temporal->camera.points},
+            {"rejected", temporal->camera.rejected},
+            {"test", optional_json(temporal->camera.test)},
+            {"reference", optional_json(temporal->camera.reference)},
+            {"excess", optional_json(temporal->camera.excess)}}},
+          {"light", {{"pixels", temporal->light.pixels}, {"rms", optional_json(temporal->light.rms)}}},
+          {"seed_noise", optional_json(temporal->seed_noise)}};
+}
+
 Json technique_json(const TechniqueResult& run) {
   Json json{{"label", run.label},
             {"technique", run.technique},
@@ -98,6 +111,7 @@ Json technique_json(const TechniqueResult& run) {
             {"fault_picture_file", run.fault_picture_file}};
   add_judgement(run.judgement, json);
   add_diagnosis(run.diagnosis, json);
+  json["temporal"] = temporal_json(run.temporal);
   return json;
 }
 

@@ -3,6 +3,7 @@
 #include "core/files.h"
 #include "study/guard.h"
 #include "study/scene_run.h"
+#include "study/temporal.h"
 #include "umbrameter_version.h"
 
 #include <fmt/format.h>
@@ -24,6 +25,18 @@ SceneResult describe(const SceneJob& job) {
   result.triangles = scene.triangles.size();
   result.warnings = scene.warnings;
   return result;
+}
+
+/// Sequences of the truth are made once a scene, and only when a run was scored.
+void measure_sequences(const SceneContext& context, const Image& reference,
+                       std::vector<TechniqueFrame>& runs) {
+  if (std::none_of(runs.begin(), runs.end(), [](const auto& run) { return run.result.error.has_value(); }))
+    return;
+  const Sequence camera = render_sequence(context, Motion::camera, reference);
+  const Sequence light = render_sequence(context, Motion::light, reference);
+  for (TechniqueFrame& run : runs) {
+    if (run.result.error) measure_temporal(context, camera, light, run);
+  }
 }
 
 SceneResult validate_scene(const SceneContext& context, std::vector<Skip>& skipped) {
@@ -48,6 +61,7 @@ SceneResult validate_scene(const SceneContext& context, std::vector<Skip>& skipp
     if (is_comparable) score_technique(context, reference.image, run);
   }
   compare_with_baseline(context, reference.image, runs);
+  if (context.plan.temporal_frames > 0) measure_sequences(context, reference.image, runs);
   for (TechniqueFrame& run : runs) scene.techniques.push_back(std::move(run.result));
   return scene;
 }

@@ -42,6 +42,7 @@ struct ValidationPlan {
   std::optional<double> target_se;  // likewise
   int timed_frames = 9;             // wanted; fewer when they would exceed the budget, never fewer than 1
   double timing_budget_s = 3.0;     // a technique and scene
+  int temporal_frames = 0;          // of each sequence; 0 leaves them out
   std::vector<TechniqueRun> techniques;
   MetricChoice metrics;
   std::string

@@ -32,7 +32,7 @@ struct Plan {
   std::vector<std::string> labels;  // of timers
   std::vector<UniformRange> frame_uniforms;
   Buffer uniforms;
-  std::optional<LightView> center_view;
+  std::optional<FittedView> center_view;
   std::vector<std::string> warnings;  // the GLSL compiler's
 };
 

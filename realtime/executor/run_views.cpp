@@ -79,9 +79,9 @@ FittedView RunViews::fit(const ViewDeclaration& declaration, int64_t sample, int
   return fitted;
 }
 
-std::optional<LightView> RunViews::center() const {
+std::optional<FittedView> RunViews::center() const {
   for (const auto& [key, fitted] : fitted_) {
-    if (std::get<1>(key) == kCenter) return fitted.view;
+    if (std::get<1>(key) == kCenter) return fitted;
   }
   return std::nullopt;
 }

@@ -24,7 +24,7 @@ class RunViews {
   /// The view named `name`, for the loop variables in `variables`. The reference stays valid.
   const FittedView& get(const std::string& name, const ExpressionVariables& variables);
   /// The view from the light's centre, when a pass used one.
-  std::optional<LightView> center() const;
+  std::optional<FittedView> center() const;
 
  private:
   FittedView fit(const ViewDeclaration& declaration, int64_t sample, int texels_a_side, bool snaps);

@@ -36,12 +36,28 @@ TEST(Blocker, distance_towards_the_sun_is_a_length_too) {
   }
 }
 
-TEST(Blocker, a_closed_box_is_two_crossings) {
+TEST(Blocker, a_closed_box_is_one_layer_whichever_way_it_is_wound) {
+  for (const bool inside_out : {false, true}) {
+    Scene scene = floor_under(disk_light_above(kPointLight, 1e-3), 0.5);
+    const size_t first = scene.triangles.size();
+    add_box(scene, {-2, 1.0, -2}, {2, 1.5, 2});
+    for (size_t k = first; inside_out && k < scene.triangles.size(); ++k) {
+      std::swap(scene.triangles[k].y, scene.triangles[k].z);
+    }
+    finish_scene(scene);
+    const Frame frame = render_reference(scene, {.side_px = 8});
+    for (const float layers : frame.image.plane("blocker_layers")) ASSERT_EQ(layers, 1.0f);
+  }
+}
+
+TEST(Blocker, boxes_behind_and_inside_each_other_and_a_sheet_are_three_layers) {
   Scene scene = floor_under(disk_light_above(kPointLight, 1e-3), 0.5);
-  add_box(scene, {-2, 1.0, -2}, {2, 1.5, 2});
+  add_box(scene, {-2, 1.0, -2}, {2, 1.6, 2});
+  add_box(scene, {-1.5, 1.2, -1.5}, {1.5, 1.4, 1.5});
+  add_floor(scene, {6, 6}, 0.5);
   finish_scene(scene);
   const Frame frame = render_reference(scene, {.side_px = 8});
-  for (const float layers : frame.image.plane("blocker_layers")) ASSERT_EQ(layers, 2.0f);
+  for (const float layers : frame.image.plane("blocker_layers")) ASSERT_EQ(layers, 3.0f);
 }
 
 TEST(Blocker, the_nearest_is_no_farther_than_the_mean) {

@@ -241,7 +241,7 @@ TEST(Faults, NeedsTheBlockersOfTheReference) {
 TEST(Faults, EveryClassHasAName) {
   EXPECT_EQ(name_of(FaultClass::unscored), "unscored");
   EXPECT_EQ(name_of(FaultClass::peter_panning), "peter_panning");
-  EXPECT_EQ(name_of(FaultClass::other), "other");
+  EXPECT_EQ(name_of(FaultClass::lost_shadow), "lost_shadow");
 }
 
 }  // namespace

@@ -75,7 +75,7 @@ TEST(WorstFault, IsNeitherAWrongSoftnessNorWhatIsExplained) {
   EXPECT_FALSE(worst_fault(faults));
   set(FaultClass::acne, 0.1);
   set(FaultClass::bleed, 0.2);
-  set(FaultClass::other, 0.15);
+  set(FaultClass::overlap, 0.15);
   EXPECT_EQ(worst_fault(faults), FaultClass::bleed);
 }
 

@@ -1,0 +1,13 @@
+#pragma once
+// Where each visible point falls in the light's map, so that errors can be told by the map's resolution.
+
+#include "core/image.h"
+#include "realtime/executor/run_views.h"
+
+namespace umbrameter {
+
+/// Adds texel.x, texel.y and texel_world (core/renderer.h) from `image`'s position and primitive_id. The wider
+/// side of a texel counts, as in shaders/lib/spaces.glsl. 0 behind a perspective view's light, too.
+void add_texel_planes(const FittedView& fitted, Image& image);
+
+}  // namespace umbrameter
