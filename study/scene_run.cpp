@@ -45,7 +45,7 @@ std::vector<TechniqueFrame> choose_runs(const SceneContext& context, std::vector
     request.technique = run.technique;
     request.parameters = run.parameters;
     requests.push_back({run.label, request});
-    frames.push_back({describe(run), {}});
+    frames.push_back({describe(run), {}, {}});
   }
   return frames;
 }

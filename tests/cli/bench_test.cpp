@@ -86,6 +86,17 @@ TEST_F(BenchCommand, SlipsAreFoundBeforeAnythingIsRendered) {
   expect_bad_input(umbrameter({"bench", "nowhere.toml"}), "nowhere.toml");
 }
 
+TEST_F(BenchCommand, TheStudiesOfPapersNameTechniquesThatExist) {
+  // Techniques and parameters are resolved before scenes are loaded: only the models are missing here.
+  const std::filesystem::path papers = std::filesystem::path(UMBRAMETER_SOURCE_DIR) / "studies" / "papers";
+  int studies = 0;
+  for (const auto& file : std::filesystem::directory_iterator(papers)) {
+    expect_bad_input(umbrameter({"bench", file.path().string()}), "UMBRAMETER_ASSETS");
+    ++studies;
+  }
+  EXPECT_EQ(studies, 5);
+}
+
 TEST_F(BenchCommand, TimesNeedUnitsAndCsvItsName) {
   write("study.toml", std::string(kHead) + "scenes = [\"plate\"]\n" + kRuns);
   expect_bad_input(umbrameter({"bench", "study.toml", "--best-under", "1"}), "such as 1ms");
