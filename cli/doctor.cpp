@@ -44,10 +44,10 @@ Trial try_renderers(const GlobalOptions& global, const Home& home, const SceneSe
     fail_environment(fmt::format("no technique supports the light of '{}'", job.name));
   request.technique = usable->technique;
   request.parameters = usable->parameters;
-  request.timed_frames = 1;
-  const Frame frame = open_realtime_renderer(global, home)->render(job.scene, request, progress);
-  trial.realtime_device = frame.device;
-  trial.timer = frame.timer;
+  const auto renderer = open_realtime_renderer(global, home);
+  const PreparedRun run = renderer->prepare(job.scene, request, progress);
+  trial.realtime_device = run.frame.device;
+  trial.timer = run.timer;
   return trial;
 }
 

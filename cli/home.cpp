@@ -38,7 +38,7 @@ ParameterValues parse_assignments(const Technique& technique, const std::vector<
     const auto [name, text] = split_assignment(assignment);
     if (values.count(name) > 0)
       fail_input(fmt::format("parameter '{}' of '{}' is given twice", name, technique.id));
-    if (name == "preset") {
+    if (name == "preset" || name.starts_with("stage.")) {  // pseudo-parameters
       values[name] = text;
       continue;
     }

@@ -24,13 +24,13 @@ struct NamedQuality {
 constexpr std::array<NamedQuality, 3> kQualities{
     {{"quick", 480, 270, 256, 5}, {"standard", 960, 540, 1024, 9}, {"full", 1920, 1080, 4096, 15}}};
 
-const NamedQuality& find_quality(const std::string& name) {
+const NamedQuality& find_quality(const std::string& name, const FileLocation& where) {
   std::vector<std::string> known;
   for (const NamedQuality& quality : kQualities) {
     if (name == quality.name) return quality;
     known.emplace_back(quality.name);
   }
-  fail_input(fmt::format("unknown quality '{}'", name), {}, suggest_name(name, known));
+  fail_input(fmt::format("unknown quality '{}'", name), where, suggest_name(name, known));
 }
 
 int checked(const std::optional<int64_t>& given, int fallback, const char* option, int64_t max) {
@@ -53,7 +53,7 @@ void add_quality_options(CLI::App& verb, QualityOptions& options) {
 }
 
 Quality choose_quality(const QualityOptions& options) {
-  const NamedQuality& named = find_quality(options.quality);
+  const NamedQuality& named = find_quality(options.quality, options.where);
   Quality quality;
   quality.name = named.name;
   quality.width_px = checked(options.width, named.width_px, "--width", kMaxSide_px);

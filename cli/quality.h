@@ -1,6 +1,8 @@
 #pragma once
 // Resolution and samples: --quality and what overrides it.
 
+#include "core/error.h"
+
 #include <CLI/CLI.hpp>
 
 #include <cstdint>
@@ -16,6 +18,7 @@ struct QualityOptions {
   std::optional<int64_t> samples_per_pixel;
   std::optional<double> target_se;
   uint64_t seed = 1;
+  FileLocation where;  // of the file that gave them; empty for the command line
 };
 
 /// The chosen numbers, checked.

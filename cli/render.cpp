@@ -24,9 +24,10 @@ struct RenderOptions {
   QualityOptions quality;
 };
 
-void print_frame(const Frame& frame, const SceneJob& job, const TechniqueRun& run, const std::string& file,
+void print_frame(const TimedRun& timed, const SceneJob& job, const TechniqueRun& run, const std::string& file,
                  bool json) {
-  const auto total = total_time(frame.pass_times);
+  const Frame& frame = timed.frame;
+  const auto total = total_time(summarise(timed.times));
   if (!json) {
     print_answer(fmt::format("{}: {} on {}, {}; {}; parameters {}\n", file, run.label, job.name,
                              format_time(total), frame.device, to_text(frame.parameters)));
@@ -38,7 +39,7 @@ void print_frame(const Frame& frame, const SceneJob& job, const TechniqueRun& ru
                                    {"technique", run.id},
                                    {"parameters", to_text(frame.parameters)},
                                    {"device", frame.device},
-                                   {"timer", frame.timer},
+                                   {"timer", timed.timer},
                                    {"memory_bytes", frame.memory_bytes}};
   answer["total_ms"] = total ? nlohmann::ordered_json(total->median_ms) : nlohmann::ordered_json(nullptr);
   print_json(answer);
@@ -64,13 +65,17 @@ int render(const RenderOptions& options, const GlobalOptions& global) {
   request.seed = quality.seed;
   request.technique = run.technique;
   request.parameters = run.parameters;
-  Frame frame =
-      render_timed(*renderer, job.scene, request, {.wanted_frames = quality.timed_frames}, progress);
+  const LabelledRequest labelled{run.label, request};
+  TimedRun timed = render_interleaved(*renderer, job.scene, {&labelled, 1},
+                                      {.wanted_frames = quality.timed_frames}, progress)
+                       .front();
+  if (timed.failure) throw Error(timed.failure->kind, timed.failure->message);
+  Frame& frame = timed.frame;
   for (const std::string& warning : frame.warnings) print_warning(warning);
   add_metadata(frame, job.scene, request);
   write_exr(file.staged(), frame.image);
   file.publish();
-  print_frame(frame, job, run, file.target().string(), global.json);
+  print_frame(timed, job, run, file.target().string(), global.json);
   return kExitFine;
 }
 

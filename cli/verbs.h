@@ -31,6 +31,7 @@ inline constexpr int kExitInternal = 4;
 inline constexpr int kExitInterrupted = 130;
 
 void add_validate(CLI::App& app, CommandLine& line);
+void add_bench(CLI::App& app, CommandLine& line);
 void add_reference(CLI::App& app, CommandLine& line);
 void add_render(CLI::App& app, CommandLine& line);
 void add_score(CLI::App& app, CommandLine& line);

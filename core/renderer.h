@@ -6,6 +6,7 @@
 #include "core/progress.h"
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -20,15 +21,6 @@ struct RenderRequest {
   uint64_t seed = 1;
   std::string technique;       // technique id, or a path to its folder
   ParameterValues parameters;  // overrides; whatever is missing takes its default
-  int timed_frames = 0;        // 0 = render once, no timing
-};
-
-/// Time of one pass over the timed frames; the list ends with "total", the whole frames.
-struct PassTime {
-  std::string pass;
-  double median_ms = 0.0;
-  double mad_ms = 0.0;  // median absolute deviation
-  int frames = 0;
 };
 
 /// What came out. Channels by renderer:
@@ -41,18 +33,31 @@ struct PassTime {
 struct Frame {
   Image image;
   ParameterValues parameters;  // the complete set that was used
-  std::vector<PassTime> pass_times;
-  std::string timer;   // "GL_TIME_ELAPSED" or "glFinish + steady clock"; empty when not timed
-  std::string device;  // GL renderer string, or "Embree <version>, <threads> threads"
+  std::string device;          // GL renderer string, or "Embree <version>, <threads> threads"
+  bool is_software = false;    // a rasteriser on the CPU: its times say little about a GPU's
   uint64_t memory_bytes = 0;
   double wall_time_s = 0.0;
   std::vector<std::string> warnings;
+};
+
+/// A request kept ready to be drawn again, so that the frames of several can be timed in turn.
+struct PreparedRun {
+  Frame frame;  // the first one; the caller may take it away
+  /// Draws the next frame without allocation, compilation or readback: ms of each pass, in the order of `passes`.
+  /// Absent when there is nothing to time. Must neither be called nor live after its renderer.
+  std::function<std::vector<double>()> time_frame;
+  std::vector<std::string> passes;
+  std::string timer;  // "GL_TIME_ELAPSED" or "glFinish + steady clock"
 };
 
 class Renderer {
  public:
   virtual ~Renderer() = default;
   virtual Frame render(const Scene& scene, const RenderRequest& request, Progress& progress) = 0;
+  /// Renders like render() and keeps what another frame needs. `scene` must outlive the run.
+  virtual PreparedRun prepare(const Scene& scene, const RenderRequest& request, Progress& progress) {
+    return {render(scene, request, progress), {}, {}, {}};
+  }
 };
 
 }  // namespace umbrameter

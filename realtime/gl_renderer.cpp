@@ -20,12 +20,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kMaxTimedFrames = 10000;
-constexpr double kWarmUpMs = 50.0;
-constexpr int kMaxWarmUpFrames = 16;
-
-double milliseconds_since(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
 void hash_vector(Hasher& hasher, const glm::dvec3& v) {
@@ -74,6 +70,23 @@ struct Picture {
   glm::dvec4 receiver_plane_world{0.0};
 };
 
+/// A technique's plan and everything it points into, in the order of their making.
+struct GlRun {
+  GlRun(GlContext& owner, Technique staged, ParameterValues complete)
+      : context(owner), technique(std::move(staged)), parameters(std::move(complete)) {}
+  ~GlRun() { context.make_current(); }  // the GL objects die next
+  GlRun(const GlRun&) = delete;
+  GlRun& operator=(const GlRun&) = delete;
+
+  GlContext& context;
+  Technique technique;
+  ParameterValues parameters;
+  std::shared_ptr<const SceneOnGpu> scene;
+  std::shared_ptr<const Picture> picture;
+  Plan plan;
+  std::optional<PassTimers> timers;
+};
+
 void require_support(const Technique& technique, const Light& light) {
   if (technique.supports(light.type)) return;
   std::string supported;
@@ -96,21 +109,34 @@ class GlRenderer final : public Renderer {
   ~GlRenderer() override { context_.make_current(); }  // the GL objects die next
 
   Frame render(const Scene& scene, const RenderRequest& request, Progress& progress) override {
-    const Clock::time_point start = Clock::now();
-    check_request(request);
-    context_.make_current();
-    Frame frame;
-    frame.device = context_.device().renderer;
-    if (request.technique.empty()) {
-      frame.image = picture_of(scene, request).image;
-    } else {
-      render_technique(scene, request, progress, frame);
-    }
-    frame.wall_time_s = milliseconds_since(start) * 1e-3;
-    return frame;
+    return make_prepared(scene, request, false, progress).frame;
+  }
+
+  PreparedRun prepare(const Scene& scene, const RenderRequest& request, Progress& progress) override {
+    return make_prepared(scene, request, true, progress);
   }
 
  private:
+  PreparedRun make_prepared(const Scene& scene, const RenderRequest& request, bool is_timed,
+                            Progress& progress) {
+    const Clock::time_point start = Clock::now();
+    check_request(request);
+    context_.make_current();
+    PreparedRun prepared;
+    prepared.frame.device = context_.device().renderer;
+    prepared.frame.is_software = !context_.device().is_hardware;
+    if (request.technique.empty()) {
+      prepared.frame.image = picture_of(scene, request)->image;
+    } else {
+      const auto run = make_run(scene, request, is_timed);
+      draw_first(*run, progress);
+      describe(*run, prepared.frame);
+      if (is_timed) keep_timing(run, prepared);
+    }
+    prepared.frame.wall_time_s = seconds_since(start);
+    return prepared;
+  }
+
   void check_request(const RenderRequest& request) const {
     const int limit = std::min(context_.limits().max_texture_size, 16384);
     for (const int side : {request.width_px, request.height_px}) {
@@ -118,99 +144,85 @@ class GlRenderer final : public Renderer {
       fail_input(fmt::format("cannot render {}x{} px", request.width_px, request.height_px), {},
                  fmt::format("each side must be 1 to {} px", limit));
     }
-    if (request.timed_frames < 0 || request.timed_frames > kMaxTimedFrames) {
-      fail_input(fmt::format("cannot time {} frames", request.timed_frames), {},
-                 fmt::format("0 to {}", kMaxTimedFrames));
-    }
   }
 
-  const SceneBuffers& buffers_of(const Scene& scene) {
+  std::shared_ptr<const SceneOnGpu> scene_on_gpu(const Scene& scene) {
     const std::string key = geometry_key(scene);
     if (!scene_ || scene_->key != key) {
       scene_.reset();  // frees the old one before the new one needs the memory
-      scene_.emplace(SceneOnGpu{key, SceneBuffers(scene)});
+      scene_ = std::make_shared<SceneOnGpu>(SceneOnGpu{key, SceneBuffers(scene)});
     }
-    return scene_->buffers;
+    return scene_;
   }
 
-  const Picture& picture_of(const Scene& scene, const RenderRequest& request) {
+  std::shared_ptr<const Picture> picture_of(const Scene& scene, const RenderRequest& request) {
     const std::string key = picture_key(scene, request);
-    if (picture_ && picture_->key == key) return *picture_;
+    if (picture_ && picture_->key == key) return picture_;
     picture_.reset();
-    const SceneBuffers& buffers = buffers_of(scene);
+    const std::shared_ptr<const SceneOnGpu> on_gpu = scene_on_gpu(scene);
     Picture picture{key,
                     GBuffer(request.width_px, request.height_px),
                     Image(request.width_px, request.height_px),
                     {},
                     {}};
-    gbuffer_renderer_.render(scene, buffers, picture.gbuffer);
+    gbuffer_renderer_.render(scene, on_gpu->buffers, picture.gbuffer);
     check_gl_errors("G-buffer");
     read_gbuffer(picture.gbuffer, picture.image);
     picture.receivers = receiver_tiles(picture.image);
     picture.receiver_plane_world = receiver_plane(picture.image);
-    picture_.emplace(std::move(picture));
-    return *picture_;
+    picture_ = std::make_shared<Picture>(std::move(picture));
+    return picture_;
   }
 
-  void render_technique(const Scene& scene, const RenderRequest& request, Progress& progress, Frame& frame) {
+  std::shared_ptr<GlRun> make_run(const Scene& scene, const RenderRequest& request, bool is_timed) {
     const Technique declared =
         find_technique(request.technique, settings_.techniques_folder, settings_.shaders_folder);
     require_support(declared, scene.light());
-    frame.parameters = resolve_parameters(declared, request.parameters);
-    const Technique technique = with_stages(declared, frame.parameters);
-    const SceneBuffers& buffers = buffers_of(scene);
-    const Picture& picture = picture_of(scene, request);
-    const RunInputs inputs{technique,
-                           frame.parameters,
-                           scene,
-                           buffers,
-                           picture.gbuffer,
-                           picture.receivers,
-                           picture.receiver_plane_world,
-                           request.seed,
-                           settings_.shaders_folder};
-    const Plan plan = make_plan(inputs, programs_);
-    draw(plan, buffers, request, technique, progress, frame);
-    frame.image = picture.image;
-    frame.memory_bytes = plan.targets->declared_bytes();
-    frame.warnings.insert(frame.warnings.end(), plan.warnings.begin(), plan.warnings.end());
-    read_visibility(plan, technique, frame);
+    const ParameterValues parameters = resolve_parameters(declared, request.parameters);
+    auto run = std::make_shared<GlRun>(context_, with_stages(declared, parameters), parameters);
+    run->scene = scene_on_gpu(scene);
+    run->picture = picture_of(scene, request);
+    const Picture& picture = *run->picture;
+    run->plan =
+        make_plan({run->technique, run->parameters, scene, run->scene->buffers, picture.gbuffer,
+                   picture.receivers, picture.receiver_plane_world, request.seed, settings_.shaders_folder},
+                  programs_);
+    if (!is_timed) return run;
+    if (!timer_) timer_ = choose_timer();
+    run->timers.emplace(*timer_, run->plan.labels.size());
+    return run;
   }
 
-  void draw(const Plan& plan, const SceneBuffers& buffers, const RenderRequest& request,
-            const Technique& technique, Progress& progress, Frame& frame) {
-    const auto timed_frames = static_cast<uint64_t>(request.timed_frames);
-    progress.begin(technique.id, plan.steps.size() * (1 + timed_frames));
-    if (timed_frames == 0) {
-      draw_frame(plan, buffers, empty_vertex_array_, {.progress = &progress});
-    } else {
-      time_frames(plan, buffers, request.timed_frames, progress, frame);
-    }
+  /// Checks for GL errors, and fills the pool of queries.
+  void draw_first(GlRun& run, Progress& progress) {
+    progress.begin(run.technique.id, run.plan.steps.size());
+    if (run.timers) run.timers->begin_frame();
+    draw_frame(run.plan, run.scene->buffers, empty_vertex_array_,
+               {.timers = run.timers ? &*run.timers : nullptr, .progress = &progress});
+    if (run.timers) run.timers->end_frame();
     progress.end();
   }
 
-  /// The first frame warms up and checks; short ones are repeated until clocks and caches have settled.
-  void time_frames(const Plan& plan, const SceneBuffers& buffers, int count, Progress& progress,
-                   Frame& frame) {
-    if (!timer_) timer_ = choose_timer();
-    PassTimers timers(*timer_, plan.labels);
-    const auto draw_timed = [&](bool is_counted, Progress* watch) {
-      timers.begin_frame(is_counted);
-      draw_frame(plan, buffers, empty_vertex_array_,
-                 {.timers = &timers, .is_first = watch != nullptr, .progress = watch});
-      timers.end_frame();
+  void keep_timing(const std::shared_ptr<GlRun>& run, PreparedRun& prepared) {
+    prepared.passes = run->plan.labels;
+    prepared.timer = to_text(run->timers->kind());
+    prepared.time_frame = [this, run] {
+      context_.make_current();
+      run->timers->begin_frame();
+      draw_frame(run->plan, run->scene->buffers, empty_vertex_array_,
+                 {.timers = &*run->timers, .is_first = false});
+      std::vector<double> times_ms = run->timers->end_frame();
+      check_gl_errors("timed frame");
+      return times_ms;
     };
-    const Clock::time_point start = Clock::now();
-    draw_timed(false, &progress);
-    for (int i = 1; i < kMaxWarmUpFrames && milliseconds_since(start) < kWarmUpMs; ++i)
-      draw_timed(false, nullptr);
-    for (int i = 0; i < count; ++i) {
-      draw_timed(true, nullptr);
-      progress.advance(plan.steps.size());
-    }
-    check_gl_errors("timed frames");
-    frame.pass_times = timers.results();
-    frame.timer = to_text(timers.kind());
+  }
+
+  void describe(const GlRun& run, Frame& frame) {
+    frame.parameters = run.parameters;
+    frame.image = run.picture->image;
+    frame.memory_bytes = run.plan.targets->declared_bytes();
+    frame.warnings = run.plan.warnings;
+    read_visibility(run.plan, run.technique, frame);
   }
 
   void read_visibility(const Plan& plan, const Technique& technique, Frame& frame) {
@@ -232,8 +244,8 @@ class GlRenderer final : public Renderer {
   GBufferRenderer gbuffer_renderer_;
   VertexArray empty_vertex_array_;
   std::optional<TimerKind> timer_;
-  std::optional<SceneOnGpu> scene_;
-  std::optional<Picture> picture_;
+  std::shared_ptr<const SceneOnGpu> scene_;  // runs share both
+  std::shared_ptr<const Picture> picture_;
 };
 
 }  // namespace

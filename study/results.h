@@ -3,11 +3,12 @@
 // and the report. Not here: files (study/results_json.h) and how the numbers come about (study/validation.h).
 
 #include "core/error.h"
-#include "core/renderer.h"
+#include "core/parameters.h"
 #include "metrics/parity.h"
 #include "metrics/temporal.h"
 #include "metrics/visibility_error.h"
 #include "study/diagnosis.h"
+#include "study/frame_times.h"
 #include "study/judgement.h"
 
 #include <cstdint>
@@ -119,8 +120,7 @@ struct Results {
   std::vector<Skip> skipped;
 };
 
-/// Time of a whole frame: the entry "total" that the real-time renderer adds after its passes (their sum,
-/// frame by frame, then median and MAD). Absent when nothing was timed.
+/// Time of a whole frame: the entry "total". Absent when nothing was timed.
 std::optional<PassTime> total_time(const std::vector<PassTime>& pass_times);
 
 /// Root of a region's mse with its sign; absent for a region without pixels.

@@ -2,6 +2,7 @@
 
 #include "study/diagnosis_json.h"
 #include "study/json_optional.h"
+#include "study/json_parts.h"
 #include "study/judgement_json.h"
 
 #include <nlohmann/json.hpp>
@@ -10,11 +11,6 @@ namespace umbrameter {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json interval_json(const std::optional<Interval>& interval) {
-  if (!interval) return nullptr;
-  return {{"value", interval->value}, {"low", interval->low}, {"high", interval->high}};
-}
 
 Json region_json(const RegionError& region) {
   return {{"pixels", region.pixels},
@@ -37,44 +33,6 @@ Json error_json(const VisibilityError& error) {
           {"lit", region_json(error.lit)},
           {"umbra", region_json(error.umbra)},
           {"penumbra", region_json(error.penumbra)}};
-}
-
-std::string_view kind_text(ErrorKind kind) {
-  switch (kind) {
-    case ErrorKind::input:
-      return "input";
-    case ErrorKind::environment:
-      return "environment";
-    case ErrorKind::cancelled:
-      return "cancelled";
-    case ErrorKind::internal:
-      break;
-  }
-  return "internal";
-}
-
-Json failure_json(const std::optional<Failure>& failure) {
-  if (!failure) return nullptr;
-  return {{"kind", kind_text(failure->kind)}, {"message", failure->message}};
-}
-
-Json parameters_json(const ParameterValues& parameters) {
-  Json object = Json::object();
-  for (const auto& [name, value] : parameters) {
-    std::visit([&](const auto& held) { object[name] = held; }, value);
-  }
-  return object;
-}
-
-Json times_json(const std::vector<PassTime>& times) {
-  Json list = Json::array();
-  for (const PassTime& time : times) {
-    list.push_back({{"pass", time.pass},
-                    {"median_ms", time.median_ms},
-                    {"mad_ms", time.mad_ms},
-                    {"frames", time.frames}});
-  }
-  return list;
 }
 
 Json temporal_json(const std::optional<TemporalNumbers>& temporal) {
@@ -127,20 +85,6 @@ Json reference_json(const std::optional<ReferenceResult>& reference) {
           {"picture_file", reference->picture_file}};
 }
 
-Json parity_json(const std::optional<ParityNumbers>& parity) {
-  if (!parity) return nullptr;
-  return {{"passes", parity->passes},
-          {"agreement", parity->agreement},
-          {"required_agreement", parity->required_agreement},
-          {"covered", parity->covered},
-          {"coverage_mismatch", parity->coverage_mismatch},
-          {"surface_mismatch", parity->surface_mismatch},
-          {"irradiance_mismatch", parity->irradiance_mismatch},
-          {"same_primitive", parity->same_primitive},
-          {"median_relative_depth_error", parity->median_relative_depth_error},
-          {"picture_file", parity->picture_file}};
-}
-
 Json scene_json(const SceneResult& scene) {
   Json techniques = Json::array();
   for (const TechniqueResult& run : scene.techniques) techniques.push_back(technique_json(run));
@@ -157,20 +101,11 @@ Json scene_json(const SceneResult& scene) {
           {"techniques", techniques}};
 }
 
-/// Text from drivers and file names need not be UTF-8; a replacement character is better than a throw.
-std::string dump(const Json& json) {
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
 }  // namespace
 
 std::string to_json_text(const Results& results) {
   Json scenes = Json::array();
   for (const SceneResult& scene : results.scenes) scenes.push_back(scene_json(scene));
-  Json skipped = Json::array();
-  for (const Skip& skip : results.skipped) {
-    skipped.push_back({{"scene", skip.scene}, {"technique", skip.technique}, {"reason", skip.reason}});
-  }
   return dump({{"schema", kResultsSchema},
                {"version", results.version},
                {"commit", results.commit},
@@ -182,7 +117,7 @@ std::string to_json_text(const Results& results) {
                {"target_se", optional_json(results.target_se)},
                {"parity_passes", parity_passes(results)},
                {"scenes", scenes},
-               {"skipped", skipped}});
+               {"skipped", skips_json(results.skipped)}});
 }
 
 std::string to_json_text(const Score& score, const std::string& test_file,

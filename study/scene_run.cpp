@@ -22,34 +22,46 @@ void save_picture(const SceneContext& context, const std::string& file, const Pi
   write_picture(context.folder / file, picture);
 }
 
-TechniqueFrame render_technique(const SceneContext& context, const TechniqueRun& run) {
-  TechniqueFrame out;
-  TechniqueResult& result = out.result;
+TechniqueResult describe(const TechniqueRun& run) {
+  TechniqueResult result;
   result.label = run.label;
   result.technique = run.id;
   result.title = run.title;
   result.hash = run.hash;
   result.parameters = run.parameters;
-  RenderRequest request = request_of(context.plan);
-  request.technique = run.technique;
-  request.parameters = run.parameters;
-  result.failure = guarded([&] {
-    const TimingPlan timing{context.plan.timed_frames, context.plan.timing_budget_s};
-    RenamedProgress progress(context.progress, [&](std::string_view) { return run.label; });
-    out.frame = render_timed(context.renderers.realtime, context.job.scene, request, timing, progress);
-  });
-  if (result.failure) return out;
+  return result;
+}
+
+/// Every run of the plan that supports the scene's light, undone; the others join `skipped`.
+std::vector<TechniqueFrame> choose_runs(const SceneContext& context, std::vector<Skip>& skipped,
+                                        std::vector<LabelledRequest>& requests) {
+  std::vector<TechniqueFrame> frames;
+  for (const TechniqueRun& run : context.plan.techniques) {
+    if (const auto reason = skip_reason(run, context.job.scene)) {
+      skipped.push_back({context.job.name, run.label, *reason});
+      continue;
+    }
+    RenderRequest request = request_of(context.plan);
+    request.technique = run.technique;
+    request.parameters = run.parameters;
+    requests.push_back({run.label, request});
+    frames.push_back({describe(run), {}, {}});
+  }
+  return frames;
+}
+
+void take_result(TimedRun& run, TechniqueFrame& out) {
+  TechniqueResult& result = out.result;
+  result.failure = run.failure;
+  if (result.failure) return;
+  out.frame = std::move(run.frame);
   result.parameters = out.frame.parameters;
-  result.pass_times = out.frame.pass_times;
-  result.timer = out.frame.timer;
+  result.pass_times = summarise(run.times);
+  result.timer = run.timer;
   result.device = out.frame.device;
   result.memory_bytes = out.frame.memory_bytes;
   result.wall_time_s = out.frame.wall_time_s;
   result.warnings = out.frame.warnings;
-  add_metadata(out.frame, context.job.scene, request);
-  result.image_file = context.relative(file_name_of(run.label) + ".exr");
-  save_image(context, result.image_file, out.frame.image);
-  return out;
 }
 
 void summarise_errors(const Image& image, ReferenceResult& result) {
@@ -84,13 +96,18 @@ RenderRequest request_of(const ValidationPlan& plan) {
 }
 
 std::vector<TechniqueFrame> render_techniques(const SceneContext& context, std::vector<Skip>& skipped) {
-  std::vector<TechniqueFrame> frames;
-  for (const TechniqueRun& run : context.plan.techniques) {
-    if (const auto reason = skip_reason(run, context.job.scene)) {
-      skipped.push_back({context.job.name, run.label, *reason});
-      continue;
-    }
-    frames.push_back(render_technique(context, run));
+  std::vector<LabelledRequest> requests;
+  std::vector<TechniqueFrame> frames = choose_runs(context, skipped, requests);
+  const TimingPlan timing{context.plan.timed_frames, context.plan.timing_budget_s};
+  std::vector<TimedRun> runs =
+      render_interleaved(context.renderers.realtime, context.job.scene, requests, timing, context.progress);
+  for (size_t i = 0; i < runs.size(); ++i) {
+    take_result(runs[i], frames[i]);
+    TechniqueResult& result = frames[i].result;
+    if (result.failure) continue;
+    add_metadata(frames[i].frame, context.job.scene, requests[i].request);
+    result.image_file = context.relative(file_name_of(result.label) + ".exr");
+    save_image(context, result.image_file, frames[i].frame.image);
   }
   return frames;
 }

@@ -24,25 +24,11 @@ struct TechniqueFrame {
   std::vector<uint8_t> mask;  // scored pixels
 };
 
-/// Gives tasks longer names: "pcss" becomes "plate (2 of 13), pcss:taps=64".
-class RenamedProgress final : public Progress {
- public:
-  using Rename = std::function<std::string(std::string_view)>;
-  RenamedProgress(Progress& inner, Rename rename) : inner_(inner), rename_(std::move(rename)) {}
-  void begin(std::string_view task, uint64_t steps) override { inner_.begin(rename_(task), steps); }
-  void advance(uint64_t steps) override { inner_.advance(steps); }
-  void end() override { inner_.end(); }
-
- private:
-  Progress& inner_;
-  Rename rename_;
-};
-
 /// The plan's size and seed, no technique.
 RenderRequest request_of(const ValidationPlan& plan);
 
-/// Renders and times every technique of the plan that supports the scene's light and stores its image; the
-/// others join `skipped`.
+/// Renders every technique of the plan that supports the scene's light, stores its image, and times them all in
+/// turn; the others join `skipped`.
 std::vector<TechniqueFrame> render_techniques(const SceneContext& context, std::vector<Skip>& skipped);
 
 /// Renders and stores the truth; sets scene.reference, or scene.failure.

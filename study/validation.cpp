@@ -2,6 +2,7 @@
 
 #include "core/files.h"
 #include "study/guard.h"
+#include "study/renamed_progress.h"
 #include "study/scene_run.h"
 #include "study/temporal.h"
 #include "umbrameter_version.h"

@@ -1,12 +1,9 @@
 #pragma once
 // How long passes take on the GPU.
 
-#include "core/renderer.h"
 #include "realtime/harness/objects.h"
 
 #include <chrono>
-#include <span>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -24,21 +21,19 @@ std::string_view to_text(TimerKind kind);
 TimerKind choose_timer();
 
 /// Times labelled passes over frames. Use:
-///   for each frame: begin_frame(is_counted); for each pass: begin(label) ... end(); end_frame()
-/// A label may be timed many times a frame: its times are summed. Frames with is_counted = false warm up and
-/// grow the pool of queries, so that counted frames of the same shape allocate and read back nothing.
+///   for each frame: begin_frame(); for each pass: begin(label) ... end(); end_frame()
+/// A label may be timed many times a frame: its times are summed. The first frame grows the pool of queries, so that
+/// later frames of the same shape allocate and read back nothing before their end.
 class PassTimers {
  public:
-  PassTimers(TimerKind kind, std::vector<std::string> labels);
+  PassTimers(TimerKind kind, size_t label_count);
 
-  void begin_frame(bool is_counted);
+  void begin_frame();
   void begin(size_t label);
   void end();
-  /// Waits for the GPU and collects the frame's times.
-  void end_frame();
+  /// Waits for the GPU; ms of each label.
+  std::vector<double> end_frame();
 
-  /// Per label, in order, then "total" (the sum over labels, frame by frame).
-  std::vector<PassTime> results() const;
   TimerKind kind() const { return kind_; }
 
  private:
@@ -48,20 +43,11 @@ class PassTimers {
   };
 
   TimerKind kind_;
-  std::vector<std::string> labels_;
+  size_t label_count_ = 0;
   std::vector<Query> queries_;
-  std::vector<Interval> intervals_;             // of the frame being timed
-  std::vector<std::vector<double>> frames_ms_;  // [label][counted frame]
+  std::vector<Interval> intervals_;  // of the frame being timed
   std::chrono::steady_clock::time_point started_;
-  bool is_counted_ = false;
   bool is_open_ = false;
 };
-
-/// Median, and median absolute deviation from it; both 0 for an empty span.
-struct MedianSpread {
-  double median = 0.0;
-  double mad = 0.0;
-};
-MedianSpread median_spread(std::span<const double> values);
 
 }  // namespace umbrameter

@@ -61,19 +61,20 @@ class ExecutorResources : public testing::Test {
   void write(const std::string& body) { folder_.write("technique.toml", manifest_head() + body); }
   void shader(const std::string& name, const std::string& text) { folder_.write(name, text); }
 
-  Frame render(const ParameterValues& parameters = {}, int timed_frames = 0) {
+  PreparedRun prepare(const ParameterValues& parameters = {}) {
     RenderRequest request;
     request.width_px = kSidePx;
     request.height_px = kSidePx;
     request.technique = "tried";
     request.parameters = parameters;
-    request.timed_frames = timed_frames;
     SilentProgress progress;
-    return renderer_->render(scene_, request, progress);
+    return renderer_->prepare(scene_, request, progress);
   }
 
-  std::vector<float> visibility(const ParameterValues& parameters = {}, int timed_frames = 0) {
-    const Frame frame = render(parameters, timed_frames);
+  Frame render(const ParameterValues& parameters = {}) { return prepare(parameters).frame; }
+
+  std::vector<float> visibility(const ParameterValues& parameters = {}) {
+    const Frame frame = render(parameters);
     const auto plane = frame.image.plane("visibility");
     return {plane.begin(), plane.end()};
   }
@@ -151,16 +152,16 @@ TEST_F(ExecutorResources, SamplesResolveToTheShareThatIsCovered) {
   EXPECT_THAT(error_of(), AllOf(HasSubstr("63 samples"), HasSubstr("this device takes")));
 }
 
-TEST_F(ExecutorResources, WhatRunsOnceIsThereInEveryFrameAndCostsNoTime) {
+TEST_F(ExecutorResources, WhatRunsOnceIsThereAndCostsNoTime) {
   write(resource("table", "r32f", "width = 4\nheight = 1") +
         pass("fill", "fullscreen", "fragment = \"fill.frag\"\nwrites = [\"table\"]\nonce = true") +
         show("table"));
   shader("fill.frag", "void main() { out_table = 0.25 * floor(gl_FragCoord.x); }");
   shader("show.frag", "void main() { out_visibility = texelFetch(table, ivec2(3, 0), 0).r; }");
-  EXPECT_THAT(visibility({}, 3), Each(0.75f));
-  const Frame frame = render({}, 2);
-  ASSERT_EQ(frame.pass_times.size(), 2u);
-  EXPECT_EQ(frame.pass_times[0].pass, "show");
+  EXPECT_THAT(visibility(), Each(0.75f));
+  const PreparedRun run = prepare();
+  EXPECT_EQ(run.passes, std::vector<std::string>{"show"});
+  EXPECT_EQ(run.time_frame().size(), 1u);
 }
 
 TEST_F(ExecutorResources, WhatDependsOnTheFrameCannotRunOnce) {

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace umbrameter {
 namespace {
@@ -64,16 +65,24 @@ class Executor : public testing::Test {
 
   void write_manifest(const std::string& body) { folder_.write("technique.toml", manifest_head() + body); }
 
-  Frame render(const ParameterValues& parameters = {}, int timed_frames = 0, uint64_t seed = 1) {
+  RenderRequest request_of(const ParameterValues& parameters, uint64_t seed) {
     RenderRequest request;
     request.width_px = kSidePx;
     request.height_px = kSidePx;
     request.seed = seed;
     request.technique = "tried";
     request.parameters = parameters;
-    request.timed_frames = timed_frames;
+    return request;
+  }
+
+  Frame render(const ParameterValues& parameters = {}, uint64_t seed = 1) {
     SilentProgress progress;
-    return renderer_->render(scene_, request, progress);
+    return renderer_->render(scene_, request_of(parameters, seed), progress);
+  }
+
+  PreparedRun prepare(const ParameterValues& parameters = {}) {
+    SilentProgress progress;
+    return renderer_->prepare(scene_, request_of(parameters, 1), progress);
   }
 
   std::string error_of(const ParameterValues& parameters = {}) {
@@ -272,23 +281,40 @@ TEST_F(Executor, SampleViewsDifferByIterationAndSeed) {
   EXPECT_GT(at(frame, 1.0, 0.0), 0.1f);
   EXPECT_LT(at(frame, 1.0, 0.0), 0.9f);
   EXPECT_EQ(frame.image.planes, render().image.planes);  // same seed, same bits
-  EXPECT_NE(frame.image.planes, render({}, 0, 2).image.planes);
+  EXPECT_NE(frame.image.planes, render({}, 2).image.planes);
 }
 
-TEST_F(Executor, TimedFramesNameTheirPassesAndATotal) {
+TEST_F(Executor, APreparedRunTimesItsPassesAndShowsWhatARenderShows) {
   folder_.write("hard.frag", kHardShader);
   write_manifest(std::string(kCenterView) + map_resource("64") + hard_passes("timer = \"shadow map\""));
-  const Frame plain = render();
-  const Frame frame = render({}, 3);
-  EXPECT_TRUE(plain.pass_times.empty());
-  ASSERT_EQ(frame.pass_times.size(), 3u);
-  EXPECT_EQ(frame.pass_times[0].pass, "shadow map");
-  EXPECT_EQ(frame.pass_times[1].pass, "resolve");
-  EXPECT_EQ(frame.pass_times[2].pass, "total");
-  EXPECT_EQ(frame.pass_times[2].frames, 3);
-  EXPECT_GT(frame.pass_times[2].median_ms, 0.0);
-  EXPECT_FALSE(frame.timer.empty());
-  EXPECT_EQ(plain.image.planes, frame.image.planes);
+  const PreparedRun run = prepare();
+  EXPECT_EQ(run.passes, (std::vector<std::string>{"shadow map", "resolve"}));
+  EXPECT_FALSE(run.timer.empty());
+  EXPECT_EQ(run.frame.image.planes, render().image.planes);
+  for (int frame = 0; frame < 3; ++frame) {
+    const std::vector<double> times_ms = run.time_frame();
+    ASSERT_EQ(times_ms.size(), 2u);
+    for (const double ms : times_ms) EXPECT_GT(ms, 0.0);
+  }
+}
+
+TEST_F(Executor, PreparedRunsOutliveOtherScenesAndEachOther) {
+  folder_.write("hard.frag", kHardShader);
+  write_manifest(std::string(kCenterView) + map_resource("64") + hard_passes("timer = \"shadow map\""));
+  std::optional<PreparedRun> first = prepare();
+  const Image before = first->frame.image;
+  Scene bare;
+  add_floor(bare, {3.0, 3.0});
+  bare.camera = scene_.camera;
+  bare.lights = scene_.lights;
+  finish_scene(bare);
+  SilentProgress progress;
+  const PreparedRun second = renderer_->prepare(bare, request_of({}, 1), progress);
+  EXPECT_EQ(first->time_frame().size(), 2u);
+  first.reset();
+  EXPECT_EQ(second.time_frame().size(), 2u);
+  EXPECT_NE(second.frame.image.planes, before.planes);
+  EXPECT_EQ(render().image.planes, before.planes);
 }
 
 TEST_F(Executor, CompileErrorsPointIntoTheUsersFile) {

@@ -1,12 +1,10 @@
-// Without these, a light would reach the shaders with the wrong size, or a median be that of other numbers.
+// Without these, a light would reach the shaders with the wrong size.
 
 #include "realtime/harness/frame_uniforms.h"
-#include "realtime/harness/timers.h"
 #include "tests/support/procedural_scene.h"
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -60,22 +58,6 @@ TEST(LightViewUniforms, HoldTheViewsRangesAndSize) {
   const LightViewData data = make_light_view_data(view, 1024);
   EXPECT_EQ(data.lateral_bounds, view.lateral_bounds);
   EXPECT_EQ(data.depth_range, glm::vec4(0.5, 9, 1, 1024));
-}
-
-TEST(MedianSpread, IsRobustToOneOutlier) {
-  // Sorted 1 2 3 4 100: median 3; distances from it 0 1 1 2 97: median 1.
-  const std::array<double, 5> values = {100.0, 2.0, 4.0, 1.0, 3.0};
-  EXPECT_EQ(median_spread(values).median, 3.0);
-  EXPECT_EQ(median_spread(values).mad, 1.0);
-}
-
-TEST(MedianSpread, TakesTheMiddleOfAnEvenCountAndNothingFromNothing) {
-  // Median of 1 2 4 8 is 3; distances 1 1 2 5: median 1.5.
-  const std::array<double, 4> values = {8.0, 1.0, 4.0, 2.0};
-  EXPECT_EQ(median_spread(values).median, 3.0);
-  EXPECT_EQ(median_spread(values).mad, 1.5);
-  EXPECT_EQ(median_spread({}).median, 0.0);
-  EXPECT_EQ(median_spread({}).mad, 0.0);
 }
 
 }  // namespace

@@ -78,22 +78,31 @@ Frame frame_of(Image image) {
   return frame;
 }
 
+PreparedRun FakeRenderer::prepare(const Scene& scene, const RenderRequest& request, Progress& progress) {
+  PreparedRun run;
+  run.frame = render(scene, request, progress);
+  if (!time_frame) return run;
+  run.passes = {"map", "resolve"};
+  run.timer = "fake clock";
+  run.time_frame = [this, request, frame = 0]() mutable { return time_frame(request, frame++); };
+  return run;
+}
+
 FakeRenderer fake_reference() {
   return FakeRenderer([](const RenderRequest&) { return frame_of(reference_image()); });
 }
 
-FakeRenderer fake_realtime(double pass_ms) {
-  return FakeRenderer([pass_ms](const RenderRequest& request) {
+FakeRenderer fake_realtime(double frame_ms) {
+  FakeRenderer renderer([](const RenderRequest& request) {
     if (request.technique == "broken") fail_input("does not compile", {"broken/resolve.frag", 7, 3});
     Frame frame = frame_of(technique_image(request.technique == "off" ? 0.1f : 0.0f));
     frame.parameters = request.parameters;
-    if (request.timed_frames > 0) {
-      frame.pass_times = {{"map", 0.75 * pass_ms, 0.01, request.timed_frames},
-                          {"total", pass_ms, 0.01, request.timed_frames}};
-      frame.timer = "fake clock";
-    }
     return frame;
   });
+  renderer.time_frame = [frame_ms](const RenderRequest&, int) {
+    return std::vector<double>{0.75 * frame_ms, 0.25 * frame_ms};
+  };
+  return renderer;
 }
 
 SceneJob fake_scene(const std::string& name) {

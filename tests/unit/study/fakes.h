@@ -36,7 +36,11 @@ class FakeRenderer final : public Renderer {
     requests.push_back(request);
     return render_(request);
   }
+  PreparedRun prepare(const Scene& scene, const RenderRequest& request, Progress& progress) override;
+
   std::vector<RenderRequest> requests;
+  /// Ms of the passes "map" and "resolve" of a request's frame, counted from 0; absent: nothing is timed.
+  std::function<std::vector<double>(const RenderRequest&, int frame)> time_frame;
 
  private:
   Render render_;
@@ -47,9 +51,9 @@ Frame frame_of(Image image);
 /// Truth without noise.
 FakeRenderer fake_reference();
 
-/// "off": wrong by +0.1 in the left half; "broken": throws Error{input}; anything else: exact. Frames of
-/// `pass_ms` when timed.
-FakeRenderer fake_realtime(double pass_ms = 1.0);
+/// "off": wrong by +0.1 in the left half; "broken": throws Error{input}; anything else: exact. Frames take
+/// `frame_ms`.
+FakeRenderer fake_realtime(double frame_ms = 1.0);
 
 /// A scene with one rect light; nothing looks at its geometry.
 SceneJob fake_scene(const std::string& name);

@@ -1,0 +1,92 @@
+#include "cli/study_runs.h"
+
+#include "core/error.h"
+#include "core/names.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+namespace umbrameter {
+namespace {
+
+constexpr std::string_view kStagePrefix = "stage.";
+
+/// The place beside the study if there is one, as a path from here.
+std::string beside(const std::filesystem::path& study_file, const std::string& name) {
+  if (name.find('/') == std::string::npos && !name.ends_with(".toml")) return name;
+  const std::filesystem::path place = study_file.parent_path() / name;
+  return std::filesystem::exists(place) ? std::filesystem::absolute(place).string() : name;
+}
+
+ParameterValue read_value(const Technique& technique, const std::string& name, const TomlNode& node) {
+  if (name.starts_with(kStagePrefix) && node.type == TomlNode::Type::text) return node.text;
+  std::vector<std::string> known;
+  for (const Parameter& parameter : technique.parameters) {
+    if (parameter.name == name) return read_parameter_value(parameter, node);
+    known.push_back(parameter.name);
+  }
+  fail_input(fmt::format("technique '{}' has no parameter '{}'", technique.id, name), node.where,
+             suggest_name(name, known));
+}
+
+TechniqueRun choose_run(const StudyRun& run, const std::string& request, const Technique& technique) {
+  ParameterValues values;
+  if (!run.preset.empty()) values["preset"] = run.preset;
+  for (const auto& [name, node] : run.values) values[name] = read_value(technique, name, node);
+  const ParameterValues complete = resolve_parameters(technique, values);
+  with_stages(technique, complete);  // finds stages that cannot be switched
+  return {.technique = request,
+          .id = technique.id,
+          .label = run.label,
+          .title = technique.title,
+          .hash = technique.hash,
+          .parameters = complete,
+          .lights = technique.lights};
+}
+
+}  // namespace
+
+std::vector<SceneJob> load_study_scenes(const StudyFile& study, const std::filesystem::path& file,
+                                        const SceneSearch& search, Progress& progress) {
+  std::vector<SceneJob> jobs;
+  progress.begin("loading scenes", study.scenes.size());
+  for (const std::string& name : study.scenes) {
+    jobs.push_back(load_scene_job(beside(file, name), search));
+    jobs.back().name = name;  // what claims call it
+    progress.advance(1);
+  }
+  progress.end();
+  return jobs;
+}
+
+std::vector<BenchRun> choose_study_runs(const StudyFile& study, const std::filesystem::path& file,
+                                        const Home& home) {
+  std::map<std::string, Technique> techniques;
+  std::vector<TechniqueRun> runs;
+  for (const StudyRun& run : study.runs) {
+    const std::string request = beside(file, run.technique);
+    if (!techniques.contains(request)) techniques[request] = find_technique(request, home.techniques);
+    runs.push_back(choose_run(run, request, techniques[request]));
+  }
+  std::vector<BenchRun> all;
+  for (const uint64_t seed : study.seeds) {
+    for (const TechniqueRun& run : runs) all.push_back({run, seed});
+  }
+  return all;
+}
+
+Quality choose_study_quality(const StudyFile& study, const QualityOptions& given) {
+  QualityOptions options = given;
+  options.quality = study.quality;
+  options.where = study.where;
+  options.seed = study.seeds.front();
+  if (!options.width) options.width = study.width_px;
+  if (!options.height) options.height = study.height_px;
+  if (!options.samples_per_pixel) options.samples_per_pixel = study.samples_per_pixel;
+  if (!options.target_se) options.target_se = study.target_se;
+  return choose_quality(options);
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,26 @@
+#pragma once
+// What a study file names, found: its scenes loaded, its runs resolved against the techniques' manifests.
+
+#include "cli/home.h"
+#include "cli/quality.h"
+#include "study/bench.h"
+#include "study/study_file.h"
+
+#include <filesystem>
+#include <vector>
+
+namespace umbrameter {
+
+/// Scene files and technique folders are looked for beside the study first. Scenes keep the study's names. Error{input}
+/// for what does not exist.
+std::vector<SceneJob> load_study_scenes(const StudyFile& study, const std::filesystem::path& file,
+                                        const SceneSearch& search, Progress& progress);
+
+/// Every run with every seed. Error{input} at its place for unknown parameters and values out of range.
+std::vector<BenchRun> choose_study_runs(const StudyFile& study, const std::filesystem::path& file,
+                                        const Home& home);
+
+/// The study's quality with its own numbers, and those of `given` (its name and seed aside) above them.
+Quality choose_study_quality(const StudyFile& study, const QualityOptions& given);
+
+}  // namespace umbrameter

@@ -1,0 +1,179 @@
+#include "study/bench.h"
+
+#include "study/guard.h"
+#include "study/renamed_progress.h"
+#include "study/score.h"
+#include "umbrameter_version.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace umbrameter {
+namespace {
+
+struct Context {
+  const SceneJob& job;
+  const BenchPlan& plan;
+  Renderers renderers;
+  Progress& progress;
+};
+
+/// The pictures of a scene's runs: all show the same surfaces.
+struct Pictures {
+  std::optional<Image> surfaces;
+  std::vector<Image> visibility;  // by entry; one plane each
+};
+
+BenchScene describe(const SceneJob& job) {
+  BenchScene scene;
+  scene.name = job.name;
+  scene.title = job.scene.title;
+  scene.hash = job.scene.hash;
+  scene.light = to_text(job.scene.light().type);
+  scene.triangles = job.scene.triangles.size();
+  scene.warnings = job.scene.warnings;
+  return scene;
+}
+
+RenderRequest request_of(const BenchPlan& plan, uint64_t seed) {
+  RenderRequest request;
+  request.width_px = plan.width_px;
+  request.height_px = plan.height_px;
+  request.seed = seed;
+  return request;
+}
+
+/// An entry for every run that supports the scene's light; the others join `skipped`.
+std::vector<LabelledRequest> choose_runs(const Context& context, BenchScene& scene,
+                                         std::vector<Skip>& skipped) {
+  std::vector<LabelledRequest> requests;
+  for (const BenchRun& run : context.plan.runs) {
+    const TechniqueRun& technique = run.technique;
+    if (const auto reason = skip_reason(technique, context.job.scene)) {
+      skipped.push_back({scene.name, technique.label, *reason});
+      continue;
+    }
+    RenderRequest request = request_of(context.plan, run.seed);
+    request.technique = technique.technique;
+    request.parameters = technique.parameters;
+    requests.push_back({technique.label, request});
+    BenchEntry entry;
+    entry.label = technique.label;
+    entry.technique = technique.id;
+    entry.hash = technique.hash;
+    entry.parameters = technique.parameters;
+    entry.seed = run.seed;
+    scene.entries.push_back(std::move(entry));
+  }
+  return requests;
+}
+
+void take_result(TimedRun& run, BenchEntry& entry) {
+  entry.failure = run.failure;
+  if (entry.failure) return;
+  entry.times = std::move(run.times);
+  entry.time_ms = median_interval(frame_totals(entry.times));
+  entry.parameters = run.frame.parameters;
+  entry.memory_bytes = run.frame.memory_bytes;
+  entry.device = run.frame.device;
+  entry.is_software = run.frame.is_software;
+  entry.timer = run.timer;
+  entry.warnings = run.frame.warnings;
+}
+
+/// One full image a scene is kept, and the visibility of each run.
+void keep_picture(Image& image, Image& visibility, std::optional<Image>& surfaces) {
+  visibility = Image(image.width, image.height);
+  const auto from = image.plane("visibility");
+  std::ranges::copy(from, visibility.add_plane("visibility").begin());
+  if (!surfaces) surfaces = std::move(image);
+  image = Image();
+}
+
+Pictures time_runs(const Context& context, BenchScene& scene, std::vector<Skip>& skipped) {
+  Pictures pictures;
+  const std::vector<LabelledRequest> requests = choose_runs(context, scene, skipped);
+  pictures.visibility.resize(requests.size());
+  std::vector<TimedRun> runs = render_interleaved(
+      context.renderers.realtime, context.job.scene, requests, context.plan.timing, context.progress,
+      [&](size_t i, Frame& frame) { keep_picture(frame.image, pictures.visibility[i], pictures.surfaces); });
+  for (size_t i = 0; i < runs.size(); ++i) take_result(runs[i], scene.entries[i]);
+  return pictures;
+}
+
+/// Renders the truth and sets what follows from it: parity, and each run's error.
+void score_runs(const Context& context, const Pictures& pictures, BenchScene& scene) {
+  const RenderRequest request = request_of(context.plan, context.plan.reference_seed);
+  const glm::dvec3& eye = context.job.scene.camera.eye_world;
+  const double eye_world[3] = {eye.x, eye.y, eye.z};
+  Frame reference;
+  Parity parity;
+  const ParityTolerance tolerance;
+  scene.failure = guarded([&] {
+    reference = context.renderers.reference.render(context.job.scene, request, context.progress);
+    parity = compare_surfaces(*pictures.surfaces, reference.image, eye_world, tolerance);
+  });
+  if (scene.failure) return;
+  scene.reference_device = reference.device;
+  scene.parity = parity_numbers(parity, tolerance.required_agreement);
+  if (!parity.passes) return;
+  const std::vector<uint8_t> mask = scored_mask(parity, reference.image);
+  for (size_t i = 0; i < scene.entries.size(); ++i) {
+    BenchEntry& entry = scene.entries[i];
+    if (entry.failure) continue;
+    entry.failure = guarded([&] {
+      const VisibilityError error = measure_visibility_error(pictures.visibility[i], reference.image, mask);
+      entry.rmse = error.rmse;
+      entry.bias = error.bias;
+    });
+  }
+}
+
+BenchScene bench_scene(const Context& context, std::vector<Skip>& skipped) {
+  BenchScene scene = describe(context.job);
+  const Pictures pictures = time_runs(context, scene, skipped);
+  if (pictures.surfaces) score_runs(context, pictures, scene);
+  find_front(scene.entries);
+  scene.claims = judge_claims(context.plan.claims, scene.name, scene.entries);
+  return scene;
+}
+
+}  // namespace
+
+bool is_software(const BenchResults& results) {
+  return std::ranges::any_of(results.scenes, [](const BenchScene& scene) {
+    return std::ranges::any_of(scene.entries, &BenchEntry::is_software);
+  });
+}
+
+BenchResults run_bench(std::span<const SceneJob> scenes, const BenchPlan& plan, Renderers renderers,
+                       Progress& progress, const BenchSceneDone& scene_done) {
+  BenchResults results;
+  results.version = UMBRAMETER_VERSION;
+  results.commit = UMBRAMETER_COMMIT;
+  results.plan = plan;
+  for (const SceneJob& job : scenes) {
+    const std::string prefix =
+        fmt::format("{} ({} of {}), ", job.name, results.scenes.size() + 1, scenes.size());
+    RenamedProgress renamed(progress, [&](std::string_view task) { return prefix + std::string(task); });
+    results.scenes.push_back(bench_scene({job, plan, renderers, renamed}, results.skipped));
+    if (scene_done) scene_done(results.scenes.back());
+  }
+  return results;
+}
+
+std::vector<Failure> all_failures(const BenchResults& results) {
+  std::vector<Failure> failures;
+  for (const BenchScene& scene : results.scenes) {
+    if (scene.failure) failures.push_back({scene.failure->kind, scene.name + ": " + scene.failure->message});
+    for (const BenchEntry& entry : scene.entries) {
+      if (!entry.failure) continue;
+      failures.push_back(
+          {entry.failure->kind, scene.name + ", " + entry.label + ": " + entry.failure->message});
+    }
+  }
+  return failures;
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,75 @@
+#pragma once
+// Time against error: every run of a study on every scene, frames timed in turn, pictures scored against one truth a
+// scene, what paper claims become of it. Sees only Renderer&.
+
+#include "study/claims.h"
+#include "study/timing.h"
+#include "study/validation.h"
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace umbrameter {
+
+struct BenchRun {
+  TechniqueRun technique;
+  uint64_t seed = 1;
+};
+
+struct BenchPlan {
+  std::string title;
+  std::string doc;
+  std::string file;  // of the study
+  std::string quality;
+  int width_px = 480;
+  int height_px = 270;
+  int samples_per_pixel = 256;      // what the reference renderer was made with; recorded
+  std::optional<double> target_se;  // likewise
+  uint64_t reference_seed = 1;
+  TimingPlan timing;
+  std::vector<BenchRun> runs;
+  std::vector<Claim> claims;
+};
+
+struct BenchScene {
+  std::string name;
+  std::string title;
+  std::string hash;
+  std::string light;
+  uint64_t triangles = 0;
+  std::vector<std::string> warnings;
+  std::optional<Failure> failure;  // of the truth: times stand, errors do not
+  std::string reference_device;
+  std::optional<ParityNumbers> parity;
+  std::vector<BenchEntry> entries;
+  std::vector<ClaimResult> claims;  // those that speak of this scene
+};
+
+struct BenchResults {
+  std::string version;
+  std::string commit;
+  BenchPlan plan;
+  std::vector<BenchScene> scenes;
+  std::vector<Skip> skipped;
+};
+
+/// What must stand beside every time of a software rasteriser.
+inline constexpr const char* kSoftwareNote = "software rasteriser: ratios are not a GPU's";
+
+/// True when any time was taken on a software rasteriser.
+bool is_software(const BenchResults& results);
+
+using BenchSceneDone = std::function<void(const BenchScene&)>;
+
+/// Runs everything; a run that throws is recorded and the rest goes on (Error{cancelled} passes through).
+BenchResults run_bench(std::span<const SceneJob> scenes, const BenchPlan& plan, Renderers renderers,
+                       Progress& progress, const BenchSceneDone& scene_done = {});
+
+/// Every failure, as "scene: message" or "scene, run: message".
+std::vector<Failure> all_failures(const BenchResults& results);
+
+}  // namespace umbrameter

@@ -1,0 +1,112 @@
+#include "study/bench_json.h"
+
+#include "study/json_optional.h"
+#include "study/json_parts.h"
+
+#include <cmath>
+
+namespace umbrameter {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json entry_json(const BenchEntry& entry) {
+  return {{"label", entry.label},
+          {"technique", entry.technique},
+          {"hash", entry.hash},
+          {"parameters", parameters_json(entry.parameters)},
+          {"seed", entry.seed},
+          {"failure", failure_json(entry.failure)},
+          {"rmse", interval_json(entry.rmse)},
+          {"bias", optional_json(entry.bias)},
+          {"time_ms", interval_json(entry.time_ms)},
+          {"pass_times", times_json(summarise(entry.times))},
+          {"timer", entry.timer},
+          {"device", entry.device},
+          {"is_software", entry.is_software},
+          {"memory_bytes", entry.memory_bytes},
+          {"is_on_front", entry.has_place ? Json(!entry.dominated_by) : Json(nullptr)},
+          {"dominated_by", optional_json(entry.dominated_by)},
+          {"warnings", entry.warnings}};
+}
+
+/// Infinity, which JSON lacks, is null: "at least".
+Json paper_json(const PaperRatio& paper) {
+  return {{"low", paper.low}, {"high", std::isinf(paper.high) ? Json(nullptr) : Json(paper.high)}};
+}
+
+Json claim_json(const ClaimResult& result, const Claim& claim) {
+  Json json{{"text", claim.text},
+            {"source", claim.source},
+            {"quantity", to_text(claim.quantity)},
+            {"without", claim.without},
+            {"numerator", claim.numerator},
+            {"denominator", claim.denominator},
+            {"paper", paper_json(result.paper)},
+            {"ours", interval_json(result.ours)},
+            {"verdict", verdict_text(result)},
+            {"reason", result.reason}};
+  if (claim.quantity == Quantity::pass_time) json["pass"] = claim.pass;
+  return json;
+}
+
+Json ranking_json(const Ranking& ranking, const BenchScene& scene) {
+  Json labels = Json::array();
+  for (const size_t i : ranking) labels.push_back(scene.entries[i].label);
+  return labels;
+}
+
+Json scene_json(const BenchScene& scene, const BenchPlan& plan, const BenchQueries& queries) {
+  Json entries = Json::array();
+  for (const BenchEntry& entry : scene.entries) entries.push_back(entry_json(entry));
+  Json claims = Json::array();
+  for (const ClaimResult& result : scene.claims)
+    claims.push_back(claim_json(result, plan.claims.at(result.claim)));
+  Json json{{"name", scene.name},
+            {"title", scene.title},
+            {"hash", scene.hash},
+            {"light", scene.light},
+            {"triangles", scene.triangles},
+            {"warnings", scene.warnings},
+            {"failure", failure_json(scene.failure)},
+            {"reference_device", scene.reference_device},
+            {"parity", parity_json(scene.parity)},
+            {"runs", entries},
+            {"claims", claims}};
+  if (!json["parity"].is_null()) json["parity"].erase("picture_file");
+  if (queries.best_under_ms)
+    json["best_under"] = ranking_json(best_under(scene.entries, *queries.best_under_ms), scene);
+  if (queries.cheapest_below_rmse)
+    json["cheapest_below_rmse"] =
+        ranking_json(cheapest_below_rmse(scene.entries, *queries.cheapest_below_rmse), scene);
+  return json;
+}
+
+}  // namespace
+
+std::string to_json_text(const BenchResults& results, const BenchQueries& queries) {
+  const BenchPlan& plan = results.plan;
+  Json scenes = Json::array();
+  for (const BenchScene& scene : results.scenes) scenes.push_back(scene_json(scene, plan, queries));
+  return dump({{"schema", kBenchSchema},
+               {"version", results.version},
+               {"commit", results.commit},
+               {"study", plan.file},
+               {"title", plan.title},
+               {"doc", plan.doc},
+               {"quality", plan.quality},
+               {"width_px", plan.width_px},
+               {"height_px", plan.height_px},
+               {"samples_per_pixel", plan.samples_per_pixel},
+               {"target_se", optional_json(plan.target_se)},
+               {"reference_seed", plan.reference_seed},
+               {"wanted_frames", plan.timing.wanted_frames},
+               {"frame_budget_s", plan.timing.budget_s},
+               {"note", is_software(results) ? kSoftwareNote : ""},
+               {"best_under_ms", optional_json(queries.best_under_ms)},
+               {"rmse_limit", optional_json(queries.cheapest_below_rmse)},
+               {"scenes", scenes},
+               {"skipped", skips_json(results.skipped)}});
+}
+
+}  // namespace umbrameter

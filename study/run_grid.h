@@ -1,0 +1,15 @@
+#pragma once
+// `[run.values]`: lists become a grid of runs, and the label says which point of it a run is.
+
+#include "study/study_file.h"
+
+#include <string>
+#include <vector>
+
+namespace umbrameter {
+
+/// The runs of one `[[run]]` table. Lists multiply; "{name}" in the label becomes the value, and lists that the label
+/// does not name are appended as "name=value".
+std::vector<StudyRun> expand_run(const TomlNode& table);
+
+}  // namespace umbrameter

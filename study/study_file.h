@@ -1,0 +1,76 @@
+#pragma once
+// A study as its file says it (docs/studies.md): which scenes, which runs with which parameters, and what a paper
+// claims about them. Not here: whether scenes, techniques and parameters exist (cli/), and what runs it (study/bench.h).
+
+#include "core/toml.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace umbrameter {
+
+/// One point of a `[[run]]` table's grid.
+struct StudyRun {
+  std::string label;  // unique in the study
+  std::string technique;
+  std::string preset;                                    // empty = the defaults
+  std::vector<std::pair<std::string, TomlNode>> values;  // one value a parameter, not yet checked
+  FileLocation where;
+};
+
+enum class Quantity { time, fps, memory, pass_time };
+
+/// A ratio as a paper gives it: one number, which says at least which of two is larger, or a range; `high` is infinite
+/// for "at least".
+struct PaperRatio {
+  double low = 0.0;
+  double high = 0.0;
+  bool is_range() const { return low != high; }
+};
+
+/// quantity(numerator) / quantity(denominator), on every scene or on those named.
+struct Claim {
+  std::string text;
+  std::string source;
+  std::string numerator, denominator;  // labels of runs
+  Quantity quantity = Quantity::time;
+  std::string pass;                  // pass_time only
+  std::vector<std::string> without;  // time and fps: passes of the frame that the paper leaves out
+  std::optional<PaperRatio> every_scene;
+  std::vector<std::pair<std::string, PaperRatio>> by_scene;
+  FileLocation where;
+};
+
+/// The paper's ratio for `scene`, if it has one.
+std::optional<PaperRatio> paper_ratio(const Claim& claim, const std::string& scene);
+
+struct StudyFile {
+  std::string title;
+  std::string doc;
+  std::vector<std::string> scenes;  // as written: library names or paths
+  std::string quality = "quick";
+  std::optional<int64_t> width_px, height_px, samples_per_pixel;
+  std::optional<double> target_se;
+  std::vector<uint64_t> seeds{1};
+  int frames = 30;
+  double frame_budget_s = 3.0;
+  std::vector<StudyRun> runs;  // grids expanded, in file order, the last list fastest
+  std::vector<Claim> claims;
+  FileLocation where;
+};
+
+inline constexpr size_t kMaxStudyRuns = 4096;
+
+/// Error{input} with file, line and hint for unknown keys, wrong types, labels that are not unique or unknown, grids
+/// of more than kMaxStudyRuns runs, and claims that say nothing.
+StudyFile parse_study(std::string_view document, const std::string& file);
+StudyFile load_study(const std::filesystem::path& path);
+
+std::string_view to_text(Quantity quantity);
+
+}  // namespace umbrameter
