@@ -50,13 +50,14 @@ TEST_F(Commands, ListsAreOneJsonObject) {
 }
 
 TEST_F(Commands, APlanNamesWhatRunsAndWhatIsSkippedAndWhy) {
-  // accumulate renders from points of a flat light or the sun; fence has a sphere light.
+  // Two techniques render from points of a flat light or the sun; fence has a sphere light.
   const Json plan =
       Json::parse(umbrameter({"scene", "plan", "fence", "--quality", "quick", "--json"}).out)["scenes"][0];
   EXPECT_EQ(plan["most_shadow_rays"], 480 * 270 * 256);
   EXPECT_THAT(std::vector<std::string>(plan["runs"]), Contains("pcss"));
-  ASSERT_EQ(plan["skips"].size(), 1u);
+  ASSERT_EQ(plan["skips"].size(), 2u);
   EXPECT_EQ(plan["skips"][0]["technique"], "accumulate");
+  EXPECT_EQ(plan["skips"][1]["technique"], "planar");
   EXPECT_EQ(plan["skips"][0]["reason"], "does not support sphere lights");
 }
 
