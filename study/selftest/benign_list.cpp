@@ -1,0 +1,84 @@
+#include "study/selftest/fault_list.h"
+#include "study/selftest/injection.h"
+#include "study/selftest/scene_change.h"
+
+namespace umbrameter {
+namespace {
+
+const TechniqueChoice kSoft = soft_shadows();
+
+Trial against_soft(Image picture) {
+  Trial trial;
+  trial.picture = std::move(picture);
+  trial.baseline = kSoft;
+  return trial;
+}
+
+MakeTrial other_parameters(const ParameterValues& parameters) {
+  return [parameters](Stage& stage) { return against_soft(stage.picture(with(kSoft, parameters))); };
+}
+
+MakeTrial painted_on_exact(Injected (*paint)(const Canvas&)) {
+  return [paint](Stage& stage) {
+    Injected injected = paint({stage.exact(), stage.truth(), stage.examined_exact().mask});
+    Trial trial;
+    trial.picture = std::move(injected.picture);
+    trial.injected = std::move(injected.pixels);
+    return trial;
+  };
+}
+
+Trial other_truth(Stage& stage) {
+  Trial trial = against_soft(stage.picture(kSoft, 2));
+  trial.truth = stage.exact();
+  return trial;
+}
+
+Trial other_threads(Stage& stage) {
+  Trial trial;
+  trial.picture = stage.exact();
+  trial.truth = stage.truth_with_other_threads();
+  return trial;
+}
+
+Trial exact(Stage& stage) {
+  Trial trial;
+  trial.picture = stage.exact();
+  return trial;
+}
+
+Trial with_jitter(Stage& stage) {
+  const Image& picture = stage.picture(kSoft);
+  return against_soft(jitter({picture, stage.truth(), stage.examined(kSoft).mask}).picture);
+}
+
+Trial with_larger_light(Stage& stage) {
+  return against_soft(stage.picture_of_shadows(kSoft, with_light_scaled(stage.scene(), 1.1)));
+}
+
+// A thousandth of the light's distance moves shadows by less than a texel of the map.
+Trial with_light_nudged(Stage& stage) {
+  return against_soft(stage.picture_of_shadows(kSoft, with_light_moved(stage.scene(), 5e-4)));
+}
+
+}  // namespace
+
+std::vector<BenignVariant> benign_list() {
+  return {{"exact, with noise", exact},
+          {"other thread count", other_threads},
+          {"other seed", other_truth},
+          {"jitter of 1/255", with_jitter},
+          {"penumbrae 10 % wider", with_larger_light},
+          {"shift below a texel", with_light_nudged},
+          {"map twice as fine", other_parameters({{"map_size", int64_t{2048}}})},
+          {"map on a grid", other_parameters({{"map_snap", true}})},
+          {"twice the taps", other_parameters({{"filter_taps", int64_t{128}}})}};
+}
+
+std::vector<MaskCase> mask_list() {
+  return {{"speckle", FaultClass::acne, painted_on_exact(speckle)},
+          {"stripes", FaultClass::acne, painted_on_exact(stripes)},
+          {"leak slit", FaultClass::geometric_leak, painted_on_exact(light_leak_slit)}};
+}
+
+}  // namespace umbrameter
