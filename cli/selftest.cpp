@@ -5,6 +5,7 @@
 #include "cli/progress_bar.h"
 #include "cli/staging.h"
 #include "cli/verbs.h"
+#include "core/files.h"
 #include "reference/reference.h"
 #include "study/selftest/format.h"
 
@@ -31,7 +32,7 @@ std::vector<std::string> built_in_scenes(const SceneSearch& search) {
 /// Any other number than the one asked for.
 int other_threads(int threads) {
   const int asked = threads > 0 ? threads : static_cast<int>(std::thread::hardware_concurrency());
-  return asked == 2 ? 3 : 2;
+  return asked > 1 ? 1 : 2;
 }
 
 int selftest(const SelftestOptions& options, const GlobalOptions& global) {
@@ -49,6 +50,8 @@ int selftest(const SelftestOptions& options, const GlobalOptions& global) {
   settings.techniques_folder = home.techniques;
   settings.shaders_folder = home.shaders;
   settings.scratch_folder = staging.folder();
+  settings.pictures_folder = global.out;
+  if (!global.out.empty()) create_folder(global.out);
   ProgressBar progress;
   const SelftestResults results = run_selftest(jobs, settings, {*reference, *other, *realtime}, progress);
   print_answer(global.json ? selftest_json(results) + "\n" : selftest_markdown(results));

@@ -50,8 +50,12 @@ std::optional<double> hardening(const GateRun& run) {
   return std::abs(*run.diagnosis->contact_hardening.slope - 1.0);
 }
 
+// Fine shadows differ from the 3 x 3 mean without noise; what the truth has is none.
 std::optional<double> noise(const GateRun& run) {
-  return run.diagnosis ? run.diagnosis->causes.noise : std::nullopt;
+  if (!run.diagnosis || !run.diagnosis->causes.noise || !run.diagnosis->causes.reference_noise)
+    return std::nullopt;
+  const double test = *run.diagnosis->causes.noise, truth = *run.diagnosis->causes.reference_noise;
+  return std::sqrt(std::max(0.0, test * test - truth * truth));
 }
 
 std::optional<double> banding(const GateRun& run) {

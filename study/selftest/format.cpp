@@ -89,8 +89,9 @@ std::string ratio_text(const std::optional<double>& ratio) {
 std::string mask_table(const SelftestResults& results) {
   std::string text =
       "| painted | class | scenes | pixels | precision | recall |\n|---|---|---|---|---|---|\n";
-  for (const MaskOutcome& mask : results.masks) {
-    text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", mask.name, name_of(mask.fault), mask.scenes,
+  for (const MaskOutcome& mask : results.masks_over_scenes()) {
+    const auto scenes = std::ranges::count(results.masks, mask.name, &MaskOutcome::name);
+    text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", mask.name, name_of(mask.fault), scenes,
                         mask.painted, ratio_text(mask.precision()), ratio_text(mask.recall()));
   }
   return text;
@@ -138,7 +139,7 @@ std::string selftest_json(const SelftestResults& results) {
   for (const MaskOutcome& mask : results.masks) {
     masks.push_back({{"painted", mask.name},
                      {"class", name_of(mask.fault)},
-                     {"scenes", mask.scenes},
+                     {"scene", mask.scene},
                      {"pixels", mask.painted},
                      {"precision", optional_json(mask.precision())},
                      {"recall", optional_json(mask.recall())}});

@@ -1,6 +1,8 @@
 #include "study/selftest/selftest.h"
 
 #include "study/judgement.h"
+#include "study/metadata.h"
+#include "study/pictures.h"
 
 #include <algorithm>
 
@@ -38,11 +40,29 @@ Judged judge(const Trial& trial, Stage& stage) {
   return out;
 }
 
-void count_mask(const MaskCase& mask, Stage& stage, MaskOutcome& out) {
+// The picture and its faults, as <name>.png and <name>-faults.png.
+void keep_pictures(const std::string& name, const Trial& trial, const Judged& judged, const Stage& stage) {
+  const std::filesystem::path& folder = stage.settings().pictures_folder;
+  if (folder.empty() || trial.failure) return;
+  const std::string stem = file_name_of(stage.name() + ", " + name);
+  write_picture(folder / (stem + ".png"), visibility_picture(trial.picture));
+  if (judged.examined.fault_classes.empty()) return;
+  write_picture(folder / (stem + "-faults.png"),
+                fault_picture(judged.examined.fault_classes, trial.picture.width, trial.picture.height));
+}
+
+GateVerdict judge_and_keep(const std::string& name, const Trial& trial, Stage& stage) {
+  Judged judged = judge(trial, stage);
+  keep_pictures(name, trial, judged, stage);
+  return std::move(judged.verdict);
+}
+
+std::optional<MaskOutcome> count_mask(const MaskCase& mask, Stage& stage) {
   const Trial trial = mask.make(stage);
-  if (std::ranges::count(trial.injected, uint8_t{1}) == 0) return;
+  if (std::ranges::count(trial.injected, uint8_t{1}) == 0) return std::nullopt;
   const Judged judged = judge(trial, stage);
-  ++out.scenes;
+  keep_pictures(mask.name, trial, judged, stage);
+  MaskOutcome out = {mask.name, stage.name(), mask.fault};
   for (size_t i = 0; i < trial.injected.size(); ++i) {
     const bool is_painted = trial.injected[i] != 0;
     const bool is_found =
@@ -51,6 +71,7 @@ void count_mask(const MaskCase& mask, Stage& stage, MaskOutcome& out) {
     out.found += is_found ? 1 : 0;
     out.both += is_painted && is_found ? 1 : 0;
   }
+  return out;
 }
 
 std::optional<double> share(size_t part, size_t whole) {
@@ -85,8 +106,20 @@ size_t SelftestResults::false_alarms() const {
       std::ranges::count_if(benign, [](const BenignOutcome& o) { return !o.verdict.passes(); }));
 }
 
+std::vector<MaskOutcome> SelftestResults::masks_over_scenes() const {
+  std::vector<MaskOutcome> sums;
+  for (const MaskOutcome& mask : masks) {
+    auto sum = std::ranges::find(sums, mask.name, &MaskOutcome::name);
+    if (sum == sums.end()) sum = sums.insert(sums.end(), MaskOutcome{mask.name, "", mask.fault});
+    sum->painted += mask.painted;
+    sum->found += mask.found;
+    sum->both += mask.both;
+  }
+  return sums;
+}
+
 bool SelftestResults::passes(const SelftestTargets& targets) const {
-  const bool masks_pass = std::ranges::all_of(masks, [&](const MaskOutcome& mask) {
+  const bool masks_pass = std::ranges::all_of(masks_over_scenes(), [&](const MaskOutcome& mask) {
     return mask.precision().value_or(0.0) >= targets.mask && mask.recall().value_or(0.0) >= targets.mask;
   });
   return !faults.empty() && found() == faults.size() && false_alarms() == 0 && masks_pass &&
@@ -100,20 +133,22 @@ SelftestResults run_selftest(std::span<const SceneJob> jobs, const SelftestSetti
   const std::vector<MaskCase> masks = mask_list();
   SelftestResults results;
   std::vector<std::optional<FaultOutcome>> outcomes(faults.size());
-  for (const MaskCase& mask : masks) results.masks.push_back({mask.name, mask.fault, 0, 0, 0, 0});
   progress.begin("selftest", jobs.size());
   SilentProgress silent;
   for (const SceneJob& job : jobs) {
     Stage stage(job, settings, renderers, silent);
     for (const BenignVariant& variant : variants) {
-      results.benign.push_back({variant.name, job.name, judge(variant.make(stage), stage).verdict});
+      results.benign.push_back(
+          {variant.name, job.name, judge_and_keep(variant.name, variant.make(stage), stage)});
     }
-    for (size_t k = 0; k < masks.size(); ++k) count_mask(masks[k], stage, results.masks[k]);
+    for (const MaskCase& mask : masks) {
+      if (const auto outcome = count_mask(mask, stage)) results.masks.push_back(*outcome);
+    }
     for (size_t k = 0; k < faults.size(); ++k) {
       const FaultCase& fault = faults[k];
       if (fault.scene != job.name) continue;
       outcomes[k] = {fault.name, fault.scene, fault.origin, fault.right,
-                     judge(fault.make(stage), stage).verdict};
+                     judge_and_keep(fault.name, fault.make(stage), stage)};
     }
     ++results.scenes;
     progress.advance(1);

@@ -26,11 +26,11 @@ struct BenignOutcome {
   GateVerdict verdict;
 };
 
-/// Pixels of one class against those that were painted, over all scenes with a place for them.
+/// Pixels of one class against those that were painted.
 struct MaskOutcome {
-  std::string name;
+  std::string name, scene;
   FaultClass fault = FaultClass::acne;
-  size_t scenes = 0, painted = 0, found = 0, both = 0;
+  size_t painted = 0, found = 0, both = 0;
   std::optional<double> precision() const;
   std::optional<double> recall() const;
 };
@@ -44,7 +44,9 @@ struct SelftestResults {
   size_t scenes = 0;
   std::vector<FaultOutcome> faults;
   std::vector<BenignOutcome> benign;
-  std::vector<MaskOutcome> masks;
+  std::vector<MaskOutcome> masks;  // of scenes with a place for them
+  /// Sums over scenes, one a mask; `scene` is empty.
+  std::vector<MaskOutcome> masks_over_scenes() const;
   size_t found() const, right() const, false_alarms() const;
   bool passes(const SelftestTargets& targets = {}) const;
 };

@@ -75,7 +75,8 @@ TEST(Gate, GrainIsNotBanding) {
   GateRun run = clean_run();
   run.diagnosis->causes.banding = 0.9;
   EXPECT_EQ(judge_gate(run, nullptr, false).kind, GateClass::banding);
-  run.diagnosis->causes.noise = 0.03;
+  run.diagnosis->causes.noise = 0.05;
+  run.diagnosis->causes.reference_noise = 0.04;
   EXPECT_EQ(judge_gate(run, nullptr, false).kind, GateClass::noise);
 }
 
