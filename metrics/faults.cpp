@@ -69,10 +69,12 @@ void claim_shapes(const FaultInput& input, float sign, std::span<const uint8_t> 
   }
 }
 
-// Wrong along a stretch of a penumbra and in it; speckles beside one are not its softness.
+// Wrong along a stretch of a penumbra and in it; speckles beside one are not its softness. A ramp of any width at
+// its place is wrong by half at most: full light in full shadow is no ramp.
 bool is_softness(const Evidence& e) {
   const double partial = e.mass - e.of(Sign::plain);
-  return e.mostly(Sign::near, 0.8) && partial > 0.1 * e.mass &&
+  const bool may_be_ramp = std::abs(e.test - e.reference) <= 0.5 * e.mass;
+  return may_be_ramp && e.mostly(Sign::near, 0.8) && partial > 0.1 * e.mass &&
          static_cast<double>(e.pixels) * e.mass >= 2.0 * e.width_px;
 }
 

@@ -134,9 +134,12 @@ GateVerdict judge_gate(const GateRun& run, const GateRun* baseline, bool worse, 
   GateVerdict verdict;
   verdict.kind = void_reason(run);
   if (verdict.kind) return verdict;
+  // What only one of the two lets measure cannot be compared.
   const auto add = [&](GateClass kind, const auto& value_of, const GateLimit& limit) {
-    const std::optional<double> reference = baseline != nullptr ? value_of(*baseline) : std::nullopt;
-    verdict.measures.push_back(measure(kind, value_of(run), reference, limit));
+    std::optional<double> value = value_of(run);
+    const std::optional<double> before = baseline != nullptr ? value_of(*baseline) : std::nullopt;
+    if (baseline != nullptr && !before) value.reset();
+    verdict.measures.push_back(measure(kind, value, before, limit));
   };
   for (const auto& [fault, kind] : kFaults) {
     add(

@@ -57,7 +57,7 @@ struct GateLimit {
 };
 
 struct GateLimits {
-  GateLimit fault = {1e-4, 0.5};      // a class's part of the mean absolute error
+  GateLimit fault = {2e-4, 0.5};      // a class's part of the mean absolute error
   GateLimit softness = {0.2, 0.25};   // root mean square of width, in octaves
   GateLimit hardening = {0.3, 0.25};  // distance of the slope from 1
   GateLimit offset = {0.15, 0.25};    // root mean square of the edges' offsets, in widths of their penumbrae

@@ -53,10 +53,12 @@ Trial with_jitter(Stage& stage) {
 }
 
 Trial with_larger_light(Stage& stage) {
-  return against_soft(stage.picture_of_shadows(kSoft, with_light_scaled(stage.scene(), 1.1)));
+  Trial trial;
+  trial.picture = stage.truth_of_shadows(with_light_scaled(stage.scene(), 1.1));
+  return trial;
 }
 
-// A thousandth of the light's distance moves shadows by less than a texel of the map.
+// So little of the light's distance moves shadows by less than a texel of the map.
 Trial with_light_nudged(Stage& stage) {
   return against_soft(stage.picture_of_shadows(kSoft, with_light_moved(stage.scene(), 5e-4)));
 }
@@ -76,9 +78,11 @@ std::vector<BenignVariant> benign_list() {
 }
 
 std::vector<MaskCase> mask_list() {
-  return {{"speckle", FaultClass::acne, painted_on_exact(speckle)},
-          {"stripes", FaultClass::acne, painted_on_exact(stripes)},
-          {"leak slit", FaultClass::geometric_leak, painted_on_exact(light_leak_slit)}};
+  return {{"speckle in the open", FaultClass::acne, true, painted_on_exact(speckle_in_the_open)},
+          {"stripes in the open", FaultClass::acne, true, painted_on_exact(stripes_in_the_open)},
+          {"leak slit", FaultClass::geometric_leak, true, painted_on_exact(light_leak_slit)},
+          {"speckle anywhere lit", FaultClass::acne, false, painted_on_exact(speckle)},
+          {"stripes anywhere lit", FaultClass::acne, false, painted_on_exact(stripes)}};
 }
 
 }  // namespace umbrameter

@@ -1,6 +1,7 @@
 #include "study/selftest/injection.h"
 
 #include "core/sampling/sobol.h"
+#include "metrics/nearest_feature.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +13,7 @@ namespace {
 constexpr float kLit = 0.99f, kUmbra = 0.01f;
 constexpr size_t kSlit_px = 3, kShortestSlit_px = 8, kLongestSlit_px = 40;
 constexpr double kFarBlocker_px = 24.0, kGap_px = 4.0;  // extents of a pixel on the receiver
+constexpr double kOpen_px = 24.0;
 constexpr uint32_t kSpeckleOf = 500;
 constexpr double kStripe_px = 6.0;
 constexpr float kFaintestStripe = 0.05f;
@@ -61,6 +63,11 @@ Injected painted(const Canvas& canvas, const Where& where, const Paint& paint) {
   return out;
 }
 
+double distance_px(size_t i, size_t j, size_t width) {
+  return std::hypot(static_cast<double>(i % width) - static_cast<double>(j % width),
+                    static_cast<double>(i / width) - static_cast<double>(j / width));
+}
+
 float full_light(float, size_t) {
   return 1.0f;
 }
@@ -94,6 +101,35 @@ float stripe(size_t i, size_t width) {
   return 0.25f * static_cast<float>(std::sin(2.0 * std::numbers::pi * phase));
 }
 
+float half_dark(float v, size_t) {
+  return v - 0.5f;
+}
+
+template <class Where>
+Injected striped(const Canvas& canvas, const Where& where) {
+  const size_t width = static_cast<size_t>(canvas.truth.width);
+  return painted(
+      canvas,
+      [&](size_t i) {
+        const size_t x = i % width;
+        const bool is_middle = x >= width / 4 && x < width - width / 4;
+        return is_middle && where(i) && stripe(i, width) > kFaintestStripe;
+      },
+      [&](float v, size_t i) { return v - stripe(i, width); });
+}
+
+std::vector<uint8_t> open_ground(const Reader& reader, const Image& truth) {
+  std::vector<uint8_t> shaded(reader.mask.size()), open(reader.mask.size());
+  for (size_t i = 0; i < shaded.size(); ++i) shaded[i] = reader.mask[i] != 0 && !reader.lit(i) ? 1 : 0;
+  const std::vector<int32_t> nearest = nearest_feature(shaded, truth.width, truth.height);
+  for (size_t i = 0; i < open.size(); ++i) {
+    const bool is_far =
+        nearest[i] < 0 || distance_px(i, static_cast<size_t>(nearest[i]), reader.width) >= kOpen_px;
+    open[i] = reader.lit(i) && is_far ? 1 : 0;
+  }
+  return open;
+}
+
 }  // namespace
 
 size_t Injected::count() const {
@@ -119,21 +155,24 @@ Injected light_leak_slit(const Canvas& canvas) {
 Injected speckle(const Canvas& canvas) {
   const Reader reader(canvas);
   return painted(
-      canvas, [&](size_t i) { return reader.lit(i) && random_of(i) % kSpeckleOf == 0; },
-      [](float v, size_t) { return v - 0.5f; });
+      canvas, [&](size_t i) { return reader.lit(i) && random_of(i) % kSpeckleOf == 0; }, half_dark);
+}
+
+Injected speckle_in_the_open(const Canvas& canvas) {
+  const Reader reader(canvas);
+  const std::vector<uint8_t> open = open_ground(reader, canvas.truth);
+  return painted(
+      canvas, [&](size_t i) { return open[i] != 0 && random_of(i) % (kSpeckleOf / 5) == 0; }, half_dark);
 }
 
 Injected stripes(const Canvas& canvas) {
   const Reader reader(canvas);
-  const size_t width = reader.width;
-  return painted(
-      canvas,
-      [&](size_t i) {
-        const size_t x = i % width;
-        const bool is_middle = x >= width / 4 && x < width - width / 4;
-        return is_middle && reader.lit(i) && stripe(i, width) > kFaintestStripe;
-      },
-      [&](float v, size_t i) { return v - stripe(i, width); });
+  return striped(canvas, [&](size_t i) { return reader.lit(i); });
+}
+
+Injected stripes_in_the_open(const Canvas& canvas) {
+  const std::vector<uint8_t> open = open_ground(Reader(canvas), canvas.truth);
+  return striped(canvas, [&](size_t i) { return open[i] != 0; });
 }
 
 Injected contact_gap(const Canvas& canvas) {

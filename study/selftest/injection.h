@@ -27,8 +27,12 @@ struct Canvas {
 Injected light_leak_slit(const Canvas& canvas);
 /// Half dark in .2 % of the fully lit pixels.
 Injected speckle(const Canvas& canvas);
-/// Stripes a quarter dark in a part of the fully lit pixels.
+/// Stripes a quarter dark in the middle half of the picture, where it is fully lit.
 Injected stripes(const Canvas& canvas);
+/// The same two, 24 px or more from anything less than fully lit: beyond what widths of penumbrae excuse. Speckle is five
+/// times as dense, to have enough of it.
+Injected speckle_in_the_open(const Canvas& canvas);
+Injected stripes_in_the_open(const Canvas& canvas);
 /// Full light in the shadow next to contacts.
 Injected contact_gap(const Canvas& canvas);
 /// .15 more light in the umbra of two blockers or more.

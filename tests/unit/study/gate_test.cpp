@@ -40,15 +40,15 @@ TEST(Gate, EveryClassHasItsOwnName) {
 }
 
 TEST(Gate, AFaultBeyondItsLimitIsNamed) {
-  EXPECT_TRUE(judge_gate(with_share(FaultClass::acne, 0.9e-4), nullptr, false).passes());
-  EXPECT_EQ(judge_gate(with_share(FaultClass::acne, 1.1e-4), nullptr, false).kind, GateClass::acne);
+  EXPECT_TRUE(judge_gate(with_share(FaultClass::acne, 1.9e-4), nullptr, false).passes());
+  EXPECT_EQ(judge_gate(with_share(FaultClass::acne, 2.1e-4), nullptr, false).kind, GateClass::acne);
   EXPECT_EQ(judge_gate(with_share(FaultClass::bleed, 1e-2), nullptr, false).kind, GateClass::bleed);
 }
 
 TEST(Gate, WhatTheBaselineHasIsAllowedAndHalfOfItMore) {
   const GateRun baseline = with_share(FaultClass::resolution, 0.01);
   EXPECT_TRUE(judge_gate(with_share(FaultClass::resolution, 0.015), &baseline, false).passes());
-  EXPECT_EQ(judge_gate(with_share(FaultClass::resolution, 0.0152), &baseline, false).kind,
+  EXPECT_EQ(judge_gate(with_share(FaultClass::resolution, 0.0153), &baseline, false).kind,
             GateClass::resolution);
 }
 
@@ -69,6 +69,15 @@ TEST(Gate, AWrongPenumbraIsToldByItsShape) {
   EXPECT_EQ(judge_gate(run, nullptr, false).kind, GateClass::softness);
   run.diagnosis->contact_hardening.slope = 0.0;
   EXPECT_EQ(judge_gate(run, nullptr, false).kind, GateClass::hardening);
+}
+
+TEST(Gate, WhatTheBaselineDoesNotLetMeasureIsNotCompared) {
+  GateRun run = clean_run();
+  run.diagnosis->contact_hardening.slope = 0.0;
+  GateRun baseline = clean_run();
+  EXPECT_TRUE(judge_gate(run, &baseline, false).passes());
+  baseline.diagnosis->contact_hardening.slope = 0.9;
+  EXPECT_EQ(judge_gate(run, &baseline, false).kind, GateClass::hardening);
 }
 
 TEST(Gate, GrainIsNotBanding) {
@@ -103,10 +112,10 @@ TEST(Gate, WhatVoidsARunIsSaidFirst) {
 }
 
 TEST(Gate, SeverityIsOneAtTheLimit) {
-  const GateRun baseline = with_share(FaultClass::acne, 2e-4);
-  const GateVerdict verdict = judge_gate(with_share(FaultClass::acne, 4e-4), &baseline, false);
+  const GateRun baseline = with_share(FaultClass::acne, 4e-4);
+  const GateVerdict verdict = judge_gate(with_share(FaultClass::acne, 8e-4), &baseline, false);
   EXPECT_NEAR(verdict.measures.at(0).severity(), 1.0, 1e-9);
-  EXPECT_NEAR(verdict.measures.at(0).allowed, 4e-4, 1e-12);
+  EXPECT_NEAR(verdict.measures.at(0).allowed, 8e-4, 1e-12);
 }
 
 }  // namespace
