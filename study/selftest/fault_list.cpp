@@ -188,7 +188,14 @@ std::vector<FaultCase> faults_of_techniques() {
                {{"pcss.frag", "lateral_on_ray(view_light, receiver, ray, z_blocker)",
                  "lateral_on_ray(view_light, receiver, ray, view_light.depth_range.x + receiver.p_light.z - "
                  "z_blocker)"}})},
-      {"constant width", kOrigin, "sphere_terminator", {hardening},        patched(kSoft, "constant", {{"pcss.frag", "mean_blocker_distance(light, receiver, noise);", "mean_blocker_distance(light, receiver, noise) < receiver.p_light.z ? 0.7 * receiver.p_light.z : receiver.p_light.z;"}})},
+      {"constant width",
+       kOrigin,
+       "sphere_terminator",
+       {hardening},
+       patched(kSoft, "constant",
+               {{"pcss.frag", "mean_blocker_distance(light, receiver, noise);",
+                 "mean_blocker_distance(light, receiver, noise) < receiver.p_light.z ? 0.7 * "
+                 "receiver.p_light.z : receiver.p_light.z;"}})},
       {"kernel in texels, not in the world",
        kOrigin,
        "half_plane",

@@ -92,7 +92,8 @@ std::string mask_table(const SelftestResults& results) {
   for (const MaskOutcome& mask : results.masks_over_scenes()) {
     const auto scenes = std::ranges::count(results.masks, mask.name, &MaskOutcome::name);
     text += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", mask.name, name_of(mask.fault), scenes,
-                        mask.painted, ratio_text(mask.precision()), ratio_text(mask.recall()), mask.has_target ? "0.95" : "none");
+                        mask.painted, ratio_text(mask.precision()), ratio_text(mask.recall()),
+                        mask.has_target ? "0.95" : "none");
   }
   return text;
 }

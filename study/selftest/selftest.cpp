@@ -110,7 +110,8 @@ std::vector<MaskOutcome> SelftestResults::masks_over_scenes() const {
   std::vector<MaskOutcome> sums;
   for (const MaskOutcome& mask : masks) {
     auto sum = std::ranges::find(sums, mask.name, &MaskOutcome::name);
-    if (sum == sums.end()) sum = sums.insert(sums.end(), MaskOutcome{mask.name, "", mask.fault, mask.has_target});
+    if (sum == sums.end())
+      sum = sums.insert(sums.end(), MaskOutcome{mask.name, "", mask.fault, mask.has_target});
     sum->painted += mask.painted;
     sum->found += mask.found;
     sum->both += mask.both;
@@ -120,7 +121,8 @@ std::vector<MaskOutcome> SelftestResults::masks_over_scenes() const {
 
 bool SelftestResults::passes(const SelftestTargets& targets) const {
   const bool masks_pass = std::ranges::all_of(masks_over_scenes(), [&](const MaskOutcome& mask) {
-    return !mask.has_target || (mask.precision().value_or(0.0) >= targets.mask && mask.recall().value_or(0.0) >= targets.mask);
+    return !mask.has_target ||
+           (mask.precision().value_or(0.0) >= targets.mask && mask.recall().value_or(0.0) >= targets.mask);
   });
   return !faults.empty() && found() == faults.size() && false_alarms() == 0 && masks_pass &&
          static_cast<double>(right()) >= targets.right * static_cast<double>(faults.size());
