@@ -69,12 +69,15 @@ void claim_shapes(const FaultInput& input, float sign, std::span<const uint8_t> 
   }
 }
 
-// Wrong along a stretch of a penumbra and in it; speckles beside one are not its softness. A ramp of any width at
-// its place is wrong by half at most: full light in full shadow is no ramp.
+// A ramp of any width at its place is wrong by half at most: full light in full shadow is no ramp.
+bool may_be_ramp(const Evidence& e) {
+  return std::abs(e.test - e.reference) <= 0.5 * e.mass;
+}
+
+// Wrong along a stretch of a penumbra and in it; speckles beside one are not its softness.
 bool is_softness(const Evidence& e) {
   const double partial = e.mass - e.of(Sign::plain);
-  const bool may_be_ramp = std::abs(e.test - e.reference) <= 0.5 * e.mass;
-  return may_be_ramp && e.mostly(Sign::near, 0.8) && partial > 0.1 * e.mass &&
+  return may_be_ramp(e) && e.mostly(Sign::near, 0.8) && partial > 0.1 * e.mass &&
          static_cast<double>(e.pixels) * e.mass >= 2.0 * e.width_px;
 }
 
@@ -95,7 +98,7 @@ FaultClass cause_of_bright(const Evidence& e, const FaultSettings& settings) {
   if (e.mostly(Sign::edge)) return FaultClass::resolution;
   if (is_softness(e)) return softness(e);
   if (e.mostly(Sign::layered) && e.test <= settings.bleed_max_visibility * e.mass) return FaultClass::bleed;
-  return e.mostly(Sign::plain) ? FaultClass::geometric_leak : softness(e);
+  return e.mostly(Sign::plain) || !may_be_ramp(e) ? FaultClass::geometric_leak : softness(e);
 }
 
 using Cause = FaultClass (*)(const Evidence&, const FaultSettings&);

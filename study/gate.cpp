@@ -105,18 +105,18 @@ std::optional<GateClass> kind_of_penumbra(const std::vector<GateMeasure>& measur
   if (of(measures, GateClass::hardening).exceeds()) return GateClass::hardening;
   const bool is_grain = of(measures, GateClass::noise).exceeds();
   const GateMeasure* worst = largest(measures, shapes, measures.size(), [&](const GateMeasure& m) {
-    const bool is_effect = m.kind == GateClass::error || (is_grain && m.kind == GateClass::banding);
-    return is_effect ? 0.0 : m.severity();
+    return is_grain && m.kind == GateClass::banding ? 0.0 : m.severity();
   });
   return worst != nullptr ? std::optional(worst->kind) : std::nullopt;
 }
 
-std::optional<GateClass> main_fault(const std::vector<GateMeasure>& measures) {
+std::optional<GateClass> main_fault(const std::vector<GateMeasure>& measures, const GateMeasure& error) {
   const size_t shares = kFaults.size() + 1;  // the last one: of penumbrae
   const GateMeasure* fault = largest(measures, 0, shares, excess);
   if (fault != nullptr && fault->kind != GateClass::softness) return fault->kind;
   if (const auto kind = kind_of_penumbra(measures, shares)) return kind;
-  return fault != nullptr ? std::optional(fault->kind) : std::nullopt;
+  if (fault != nullptr) return fault->kind;
+  return error.exceeds() ? std::optional(GateClass::error) : std::nullopt;
 }
 
 }  // namespace
@@ -151,8 +151,10 @@ GateVerdict judge_gate(const GateRun& run, const GateRun* baseline, bool worse, 
   add(GateClass::offset, offset, limits.offset);
   add(GateClass::noise, noise, limits.noise);
   add(GateClass::banding, banding, limits.banding);
-  if (baseline == nullptr || worse) add(GateClass::error, rmse, limits.error);
-  verdict.kind = main_fault(verdict.measures);
+  std::vector<GateMeasure> causes = verdict.measures;
+  add(GateClass::error, rmse, limits.error);
+  if (baseline != nullptr && !worse) verdict.measures.back().value.reset();
+  verdict.kind = main_fault(causes, verdict.measures.back());
   return verdict;
 }
 

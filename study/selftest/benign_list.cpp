@@ -2,6 +2,8 @@
 #include "study/selftest/injection.h"
 #include "study/selftest/scene_change.h"
 
+#include <utility>
+
 namespace umbrameter {
 namespace {
 
@@ -52,9 +54,15 @@ Trial with_jitter(Stage& stage) {
   return against_soft(jitter({picture, stage.truth(), stage.examined(kSoft).mask}).picture);
 }
 
+// Where no blocker but the receiver's own plane cuts the larger light there is no penumbra to widen.
 Trial with_larger_light(Stage& stage) {
   Trial trial;
   trial.picture = stage.truth_of_shadows(with_light_scaled(stage.scene(), 1.1));
+  const std::span<float> v = trial.picture.plane("visibility");
+  const std::span<const float> layers = std::as_const(trial.picture).plane("blocker_layers");
+  for (size_t i = 0; i < v.size(); ++i) {
+    if (layers[i] == 0.0f) v[i] = stage.exact().plane("visibility")[i];
+  }
   return trial;
 }
 

@@ -8,8 +8,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path source_of(const fs::path& folder, const std::string& file, const SelftestSettings& settings) {
-  return fs::exists(folder / file) ? folder / file : settings.shaders_folder / "lib" / file;
+void copy_texts(const fs::path& from, const fs::path& to) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(from)) {
+    const std::string extension = entry.path().extension().string();
+    if (extension == ".png" || extension == ".md") continue;
+    write_file_atomically(to / entry.path().filename(), read_file(entry.path()));
+  }
 }
 
 std::string patched(std::string text, const Patch& patch) {
@@ -25,15 +29,10 @@ TechniqueChoice mutant(const TechniqueChoice& choice, const std::string& name, s
                        const SelftestSettings& settings) {
   const fs::path folder = settings.scratch_folder / name;
   create_folder(folder);
-  for (const fs::directory_entry& entry :
-       fs::directory_iterator(settings.techniques_folder / choice.technique)) {
-    const std::string extension = entry.path().extension().string();
-    if (extension == ".png" || extension == ".md") continue;
-    write_file_atomically(folder / entry.path().filename(), read_file(entry.path()));
-  }
+  copy_texts(settings.shaders_folder / "lib", folder);  // includes look beside their file first
+  copy_texts(settings.techniques_folder / choice.technique, folder);
   for (const Patch& patch : patches) {
-    write_file_atomically(folder / patch.file,
-                          patched(read_file(source_of(folder, patch.file, settings)), patch));
+    write_file_atomically(folder / patch.file, patched(read_file(folder / patch.file), patch));
   }
   return {folder.string(), choice.parameters};
 }
