@@ -22,7 +22,7 @@ const TechniqueChoice kSoft = soft_shadows();
 /// Biased as maps are without a receiver plane.
 const TechniqueChoice kBiased = with(
     kSoft, {{"receiver_plane", std::string("none")}, {"bias_texels", 1.0}, {"normal_offset_texels", 1.0}});
-const TechniqueChoice kFixed = choice("pcf_vogel", {{"taps", int64_t{64}}, {"radius_texels", 8.0}});
+const TechniqueChoice kFixed = choice("pcf_disk", {{"taps", int64_t{64}}, {"radius_texels", 8.0}});
 const TechniqueChoice kVariance = choice("vsm", {{"filter_width_texels", 9.0}, {"bleed_reduction", 0.3}});
 const TechniqueChoice kWarped = choice("evsm", {{"filter_width_texels", 9.0}});
 const TechniqueChoice kExponential = choice("esm", {{"filter_width_texels", 3.0}});
