@@ -22,7 +22,7 @@ constexpr double kOpenRim = 0.25;      // of a shadow's rim; facets that are dar
 constexpr double kRadiusTexels = 1.5;  // acne's stripes are at most a texel wide
 constexpr double kLargestRadiusPx = 64.0;
 
-// A shape of `dark` < .5, what it meets of `other` < .5, and what the rules ask of the pixels it does not meet.
+// A shape of visibility < .5, what of it the other image has at least half as deep, and what the rules ask of the pixels it does not meet.
 struct Shape {
   size_t pixels = 0, met = 0;
   size_t contact = 0;        // pixels whose blocker is in contact
@@ -37,15 +37,21 @@ bool is_unmatched(const FaultInput& input, const Shape& shape) {
          static_cast<double>(shape.met) < input.settings.lost_overlap * static_cast<double>(shape.pixels);
 }
 
+// Half as deep a shadow is still there; .49 of light against .51 tells nothing.
+bool meets(float own, float other) {
+  return other < 0.5f * (1.0f + own);
+}
+
 // The overlap is measured against the shape alone, so that a neighbour's shadow merging with it in one image
 // only does not hide it.
-std::vector<Shape> measure_overlap(const Components& components, std::span<const float> other) {
+std::vector<Shape> measure_overlap(const Components& components, std::span<const float> own,
+                                   std::span<const float> other) {
   std::vector<Shape> shapes(components.count);
   for (size_t i = 0; i < components.label.size(); ++i) {
     if (components.label[i] < 0) continue;
     Shape& shape = shapes[static_cast<size_t>(components.label[i])];
     ++shape.pixels;
-    shape.met += other[i] < 0.5f ? 1 : 0;
+    shape.met += meets(own[i], other[i]) ? 1 : 0;
   }
   return shapes;
 }
@@ -56,10 +62,10 @@ bool any_unmatched(const FaultInput& input, const std::vector<Shape>& shapes) {
 
 // visit(shape, i) for the wrong pixels of unmatched shapes.
 template <class Visit>
-void for_wrong_pixels(const FaultInput& input, const Components& components, std::span<const float> other,
-                      std::vector<Shape>& shapes, const Visit& visit) {
+void for_wrong_pixels(const FaultInput& input, const Components& components, std::span<const float> own,
+                      std::span<const float> other, std::vector<Shape>& shapes, const Visit& visit) {
   for (size_t i = 0; i < components.label.size(); ++i) {
-    if (components.label[i] < 0 || other[i] < 0.5f) continue;
+    if (components.label[i] < 0 || meets(own[i], other[i])) continue;
     Shape& shape = shapes[static_cast<size_t>(components.label[i])];
     if (is_unmatched(input, shape)) visit(shape, i);
   }
@@ -120,9 +126,9 @@ std::vector<uint8_t> pixels_of(const FaultInput& input, const Components& compon
 std::vector<uint8_t> lost_shapes(const FaultInput& input, bool contact) {
   const Components components =
       components_of(input, select(input, [&](size_t i) { return input.r[i] < 0.5f; }));
-  std::vector<Shape> shapes = measure_overlap(components, input.v);
+  std::vector<Shape> shapes = measure_overlap(components, input.r, input.v);
   if (!any_unmatched(input, shapes)) return {};
-  for_wrong_pixels(input, components, input.v, shapes,
+  for_wrong_pixels(input, components, input.r, input.v, shapes,
                    [&](Shape& shape, size_t i) { shape.contact += in_contact(input, i) ? 1 : 0; });
   return pixels_of(input, components, shapes, [&](const Shape& shape) {
     return is_unmatched(input, shape) && (2 * shape.contact > shape.wrong()) == contact;
@@ -132,11 +138,11 @@ std::vector<uint8_t> lost_shapes(const FaultInput& input, bool contact) {
 std::vector<uint8_t> extra_shapes(const FaultInput& input) {
   const Components components =
       components_of(input, select(input, [&](size_t i) { return input.v[i] < 0.5f; }));
-  std::vector<Shape> shapes = measure_overlap(components, input.r);
+  std::vector<Shape> shapes = measure_overlap(components, input.v, input.r);
   if (!any_unmatched(input, shapes)) return {};
   const std::vector<uint8_t> solid = opened(input, components);
   const size_t width = static_cast<size_t>(input.surface.width);
-  for_wrong_pixels(input, components, input.r, shapes, [&](Shape& shape, size_t i) {
+  for_wrong_pixels(input, components, input.v, input.r, shapes, [&](Shape& shape, size_t i) {
     shape.solid += solid[i];
     if (i % width > 0) count_rim(input, components, i, i - 1, shape);
     if (i % width + 1 < width) count_rim(input, components, i, i + 1, shape);

@@ -9,6 +9,15 @@ bool is_fault(FaultClass fault) {
   return fault != FaultClass::unscored && fault != FaultClass::explained && fault != FaultClass::penumbra;
 }
 
+std::optional<Spread> offset_widths(const PenumbraError& penumbra) {
+  std::vector<double> offsets;
+  for (const PenumbraProfile& profile : penumbra.profiles) {
+    if (profile.outcome == ProfileOutcome::accepted)
+      offsets.push_back(profile.offset_world / profile.reference_width_world);
+  }
+  return spread_of(std::move(offsets));
+}
+
 }  // namespace
 
 size_t PenumbraNumbers::rejected() const {
@@ -33,7 +42,7 @@ DiagnosedImage diagnose(const Image& test, const Image& reference, std::span<con
   Faults faults = classify_faults(test, reference, mask, penumbra.profiles, envelope);
   DiagnosedImage out;
   out.numbers.penumbra = {penumbra.outcomes, penumbra.width_octaves, penumbra.width_10_90_octaves,
-                          penumbra.offset_world};
+                          penumbra.offset_world, offset_widths(penumbra)};
   out.numbers.contact_hardening = measure_contact_hardening(penumbra);
   out.numbers.faults = {faults.scored_pixels, faults.by_class, faults.mean_abs_error,
                         faults.peter_panning_gap_world};

@@ -23,6 +23,7 @@ struct PenumbraNumbers {
   std::optional<Spread> width_octaves;
   std::optional<Spread> width_10_90_octaves;
   std::optional<Spread> offset_world;
+  std::optional<Spread> offset_widths;  // the same, in widths of the true penumbra
 
   size_t accepted() const { return outcomes[0]; }
   size_t rejected() const;

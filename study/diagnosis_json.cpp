@@ -28,6 +28,7 @@ OrderedJson penumbra_json(const PenumbraNumbers& penumbra) {
   return {{"width_octaves", spread_json(penumbra.width_octaves)},
           {"width_10_90_octaves", spread_json(penumbra.width_10_90_octaves)},
           {"offset_world", spread_json(penumbra.offset_world)},
+          {"offset_widths", spread_json(penumbra.offset_widths)},
           {"accepted", penumbra.accepted()},
           {"rejected", penumbra.rejected()},
           {"profiles", outcomes}};
@@ -38,6 +39,7 @@ PenumbraNumbers read_penumbra(const Json& json) {
   penumbra.width_octaves = read_spread(json.at("width_octaves"));
   penumbra.width_10_90_octaves = read_spread(json.at("width_10_90_octaves"));
   penumbra.offset_world = read_spread(json.at("offset_world"));
+  penumbra.offset_widths = read_spread(json.at("offset_widths"));
   for (size_t k = 0; k < kProfileOutcomes; ++k) {
     penumbra.outcomes[k] = json.at("profiles").at(std::string(name_of(static_cast<ProfileOutcome>(k))));
   }

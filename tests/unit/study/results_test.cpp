@@ -40,6 +40,7 @@ TEST(Results, KeepTheDiagnosis) {
   diagnosis.penumbra.outcomes = {8, 7, 6, 5, 4, 3, 2, 1};
   diagnosis.penumbra.width_octaves = Spread{0.1, -0.2, 0.3, 0.15};
   diagnosis.penumbra.offset_world = Spread{0.01, -0.02, 0.03, 0.02};
+  diagnosis.penumbra.offset_widths = Spread{0.1, -0.2, 0.3, 0.2};
   diagnosis.contact_hardening = {9, 2.5, 0.75, std::nullopt};
   for (size_t k = 0; k < kFaultClasses; ++k) {
     diagnosis.faults.by_class[k] = {10 + k, 20 + k, static_cast<double>(k) / 64.0};
@@ -58,6 +59,7 @@ TEST(Results, KeepTheDiagnosis) {
   EXPECT_EQ(back.penumbra.rejected(), 28u);  // 7 + 6 + ... + 1
   EXPECT_EQ(back.penumbra.width_octaves->p5, -0.2);
   EXPECT_EQ(back.penumbra.offset_world->p95, 0.03);
+  EXPECT_EQ(back.penumbra.offset_widths->p95, 0.3);
   EXPECT_FALSE(back.penumbra.width_10_90_octaves);
   EXPECT_EQ(back.contact_hardening.slope, 0.75);
   EXPECT_FALSE(back.contact_hardening.intercept_octaves);

@@ -1,0 +1,76 @@
+#include "study/selftest/selftest.h"
+
+#include "cli/console.h"
+#include "cli/home.h"
+#include "cli/progress_bar.h"
+#include "cli/staging.h"
+#include "cli/verbs.h"
+#include "core/files.h"
+#include "reference/reference.h"
+#include "study/selftest/format.h"
+
+#include <thread>
+
+namespace umbrameter {
+namespace {
+
+constexpr int kSamplesPerPixel = 256;
+
+struct SelftestOptions {
+  std::vector<std::string> scenes;
+};
+
+/// Scenes that need no assets.
+std::vector<std::string> built_in_scenes(const SceneSearch& search) {
+  std::vector<std::string> names;
+  for (const SceneEntry& entry : list_scenes(search)) {
+    if (entry.name.find('/') == std::string::npos) names.push_back(entry.name);
+  }
+  return names;
+}
+
+/// Any other number than the one asked for.
+int other_threads(int threads) {
+  const int asked = threads > 0 ? threads : static_cast<int>(std::thread::hardware_concurrency());
+  return asked > 1 ? 1 : 2;
+}
+
+int selftest(const SelftestOptions& options, const GlobalOptions& global) {
+  const Home home = find_home();
+  const SceneSearch search = scene_search(global, home);
+  std::vector<SceneJob> jobs;
+  for (const std::string& name : options.scenes.empty() ? built_in_scenes(search) : options.scenes) {
+    jobs.push_back(load_scene_job(name, search));
+  }
+  const Staging staging(std::filesystem::temp_directory_path());
+  const auto realtime = open_realtime_renderer(global, home);
+  const auto reference = make_reference_renderer({kSamplesPerPixel, {}, global.threads});
+  const auto other = make_reference_renderer({kSamplesPerPixel, {}, other_threads(global.threads)});
+  SelftestSettings settings;
+  settings.techniques_folder = home.techniques;
+  settings.shaders_folder = home.shaders;
+  settings.scratch_folder = staging.folder();
+  settings.pictures_folder = global.out;
+  if (!global.out.empty()) create_folder(global.out);
+  ProgressBar progress;
+  const SelftestResults results = run_selftest(jobs, settings, {*reference, *other, *realtime}, progress);
+  print_answer(global.json ? selftest_json(results) + "\n" : selftest_markdown(results));
+  if (results.passes()) return kExitFine;
+  print_error("the selftest misses a target");
+  return kExitGateFailed;
+}
+
+}  // namespace
+
+void add_selftest(CLI::App& app, CommandLine& line) {
+  auto options = std::make_shared<SelftestOptions>();
+  CLI::App* verb = app.add_subcommand(
+      "selftest", "test the tester: known faults must be found and named, benign changes must pass");
+  verb->fallthrough();
+  verb->add_option("--scene", options->scenes, "only this scene and its faults; repeatable")
+      ->allow_extra_args(false);
+  verb->callback(
+      [options, &line] { line.verb = [options, &line] { return selftest(*options, line.global); }; });
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,161 @@
+#include "study/gate.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace umbrameter {
+namespace {
+
+constexpr std::array<std::string_view, kGateClasses> kNames = {
+    "failure",      "metric",     "truth",         "parity", "acne",           "terminator",
+    "extra_shadow", "resolution", "peter_panning", "bleed",  "geometric_leak", "lost_shadow",
+    "softness",     "hardening",  "offset",        "noise",  "banding",        "error"};
+
+struct FaultPair {
+  FaultClass fault;
+  GateClass kind;
+};
+constexpr std::array kFaults = {FaultPair{FaultClass::acne, GateClass::acne},
+                                FaultPair{FaultClass::terminator, GateClass::terminator},
+                                FaultPair{FaultClass::extra_shadow, GateClass::extra_shadow},
+                                FaultPair{FaultClass::resolution, GateClass::resolution},
+                                FaultPair{FaultClass::peter_panning, GateClass::peter_panning},
+                                FaultPair{FaultClass::bleed, GateClass::bleed},
+                                FaultPair{FaultClass::geometric_leak, GateClass::geometric_leak},
+                                FaultPair{FaultClass::lost_shadow, GateClass::lost_shadow}};
+
+std::optional<GateClass> void_reason(const GateRun& run) {
+  if (run.failure) return GateClass::failure;
+  if (!run.metric_problems.empty()) return GateClass::metric;
+  if (!run.truth_problems.empty()) return GateClass::truth;
+  if (!run.parity_passes) return GateClass::parity;
+  return std::nullopt;
+}
+
+std::optional<double> rms(const std::optional<Spread>& spread) {
+  return spread ? std::optional(spread->rmse) : std::nullopt;
+}
+
+std::optional<double> width(const GateRun& run) {
+  return run.diagnosis ? rms(run.diagnosis->penumbra.width_octaves) : std::nullopt;
+}
+
+std::optional<double> offset(const GateRun& run) {
+  return run.diagnosis ? rms(run.diagnosis->penumbra.offset_widths) : std::nullopt;
+}
+
+std::optional<double> hardening(const GateRun& run) {
+  if (!run.diagnosis || !run.diagnosis->contact_hardening.slope) return std::nullopt;
+  return std::abs(*run.diagnosis->contact_hardening.slope - 1.0);
+}
+
+// Fine shadows differ from the 3 x 3 mean without noise; what the truth has is none.
+std::optional<double> noise(const GateRun& run) {
+  if (!run.diagnosis || !run.diagnosis->causes.noise || !run.diagnosis->causes.reference_noise)
+    return std::nullopt;
+  const double test = *run.diagnosis->causes.noise, truth = *run.diagnosis->causes.reference_noise;
+  return std::sqrt(std::max(0.0, test * test - truth * truth));
+}
+
+std::optional<double> banding(const GateRun& run) {
+  return run.diagnosis ? run.diagnosis->causes.banding : std::nullopt;
+}
+
+std::optional<double> rmse(const GateRun& run) {
+  return run.error && run.error->rmse ? std::optional(run.error->rmse->value) : std::nullopt;
+}
+
+std::optional<double> fault_share(const GateRun& run, FaultClass fault) {
+  return run.diagnosis ? std::optional(run.diagnosis->faults.of(fault).mean_abs_error) : std::nullopt;
+}
+
+std::optional<double> penumbra_share(const GateRun& run) {
+  if (!run.diagnosis) return std::nullopt;
+  return *fault_share(run, FaultClass::penumbra) + *fault_share(run, FaultClass::overlap);
+}
+
+GateMeasure measure(GateClass kind, const std::optional<double>& value, const std::optional<double>& baseline,
+                    const GateLimit& limit) {
+  return {kind, value, baseline, (1.0 + limit.share) * baseline.value_or(0.0) + limit.excess};
+}
+
+double excess(const GateMeasure& m) {
+  return m.value.value_or(0.0) - m.baseline.value_or(0.0);
+}
+
+template <class Key>
+const GateMeasure* largest(const std::vector<GateMeasure>& measures, size_t begin, size_t end,
+                           const Key& key) {
+  const GateMeasure* best = nullptr;
+  for (size_t k = begin; k < end; ++k) {
+    const GateMeasure& m = measures[k];
+    if (m.exceeds() && (best == nullptr || key(m) > key(*best))) best = &m;
+  }
+  return best;
+}
+
+const GateMeasure& of(const std::vector<GateMeasure>& measures, GateClass kind) {
+  return *std::find_if(measures.begin(), measures.end(),
+                       [&](const GateMeasure& m) { return m.kind == kind; });
+}
+
+// A wrong slope makes widths wrong, and grain is made of few levels: the cause goes first.
+std::optional<GateClass> kind_of_penumbra(const std::vector<GateMeasure>& measures, size_t shapes) {
+  if (of(measures, GateClass::hardening).exceeds()) return GateClass::hardening;
+  const bool is_grain = of(measures, GateClass::noise).exceeds();
+  const GateMeasure* worst = largest(measures, shapes, measures.size(), [&](const GateMeasure& m) {
+    return is_grain && m.kind == GateClass::banding ? 0.0 : m.severity();
+  });
+  return worst != nullptr ? std::optional(worst->kind) : std::nullopt;
+}
+
+std::optional<GateClass> main_fault(const std::vector<GateMeasure>& measures, const GateMeasure& error) {
+  const size_t shares = kFaults.size() + 1;  // the last one: of penumbrae
+  const GateMeasure* fault = largest(measures, 0, shares, excess);
+  if (fault != nullptr && fault->kind != GateClass::softness) return fault->kind;
+  if (const auto kind = kind_of_penumbra(measures, shares)) return kind;
+  if (fault != nullptr) return fault->kind;
+  return error.exceeds() ? std::optional(GateClass::error) : std::nullopt;
+}
+
+}  // namespace
+
+std::string_view name_of(GateClass kind) {
+  return kNames[static_cast<size_t>(kind)];
+}
+
+double GateMeasure::severity() const {
+  const double room = allowed - baseline.value_or(0.0);
+  return excess(*this) / room;
+}
+
+GateVerdict judge_gate(const GateRun& run, const GateRun* baseline, bool worse, const GateLimits& limits) {
+  GateVerdict verdict;
+  verdict.kind = void_reason(run);
+  if (verdict.kind) return verdict;
+  // What only one of the two lets measure cannot be compared.
+  const auto add = [&](GateClass kind, const auto& value_of, const GateLimit& limit) {
+    std::optional<double> value = value_of(run);
+    const std::optional<double> before = baseline != nullptr ? value_of(*baseline) : std::nullopt;
+    if (baseline != nullptr && !before) value.reset();
+    verdict.measures.push_back(measure(kind, value, before, limit));
+  };
+  for (const auto& [fault, kind] : kFaults) {
+    add(
+        kind, [fault = fault](const GateRun& r) { return fault_share(r, fault); }, limits.fault);
+  }
+  add(GateClass::softness, penumbra_share, limits.fault);
+  add(GateClass::softness, width, limits.softness);
+  add(GateClass::hardening, hardening, limits.hardening);
+  add(GateClass::offset, offset, limits.offset);
+  add(GateClass::noise, noise, limits.noise);
+  add(GateClass::banding, banding, limits.banding);
+  std::vector<GateMeasure> causes = verdict.measures;
+  add(GateClass::error, rmse, limits.error);
+  if (baseline != nullptr && !worse) verdict.measures.back().value.reset();
+  verdict.kind = main_fault(causes, verdict.measures.back());
+  return verdict;
+}
+
+}  // namespace umbrameter

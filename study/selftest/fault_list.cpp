@@ -1,0 +1,325 @@
+#include "study/selftest/fault_list.h"
+
+#include "study/guard.h"
+#include "study/selftest/injection.h"
+#include "study/selftest/mutant.h"
+#include "study/selftest/scene_change.h"
+
+#include <array>
+#include <cmath>
+
+namespace umbrameter {
+namespace {
+
+using enum GateClass;
+using SceneChange = std::function<Scene(const Scene&)>;
+
+TechniqueChoice choice(const std::string& technique, const ParameterValues& parameters = {}) {
+  return with({technique, {{"map_size", int64_t{1024}}}}, parameters);
+}
+
+const TechniqueChoice kSoft = soft_shadows();
+/// Biased as maps are without a receiver plane.
+const TechniqueChoice kBiased = with(
+    kSoft, {{"receiver_plane", std::string("none")}, {"bias_texels", 1.0}, {"normal_offset_texels", 1.0}});
+const TechniqueChoice kFixed = choice("pcf_disk", {{"taps", int64_t{64}}, {"radius_texels", 8.0}});
+const TechniqueChoice kVariance = choice("vsm", {{"filter_width_texels", 9.0}, {"bleed_reduction", 0.3}});
+const TechniqueChoice kWarped = choice("evsm", {{"filter_width_texels", 9.0}});
+const TechniqueChoice kExponential = choice("esm", {{"filter_width_texels", 3.0}});
+
+// A picture that cannot be made is a trial, too.
+Trial trial_of(const TechniqueChoice& baseline, const std::function<Image()>& render) {
+  Trial trial;
+  trial.baseline = baseline;
+  trial.failure = guarded([&] { trial.picture = render(); });
+  return trial;
+}
+
+MakeTrial instead(const TechniqueChoice& baseline, const TechniqueChoice& wrong) {
+  return [=](Stage& stage) { return trial_of(baseline, [&] { return stage.picture(wrong); }); };
+}
+
+MakeTrial changed(const TechniqueChoice& baseline, const ParameterValues& parameters) {
+  return instead(baseline, with(baseline, parameters));
+}
+
+MakeTrial patched(const TechniqueChoice& baseline, const std::string& name, const std::vector<Patch>& patches,
+                  const ParameterValues& parameters = {}) {
+  return [=](Stage& stage) {
+    const TechniqueChoice wrong = mutant(with(baseline, parameters), name, patches, stage.settings());
+    return trial_of(baseline, [&] { return stage.picture(wrong); });
+  };
+}
+
+MakeTrial of_scene(const TechniqueChoice& baseline, const SceneChange& change) {
+  return [=](Stage& stage) {
+    return trial_of(baseline, [&] { return stage.picture_of_shadows(baseline, change(stage.scene())); });
+  };
+}
+
+MakeTrial painted(const TechniqueChoice& baseline, Injected (*paint)(const Canvas&)) {
+  return [=](Stage& stage) {
+    const Image& picture = stage.picture(baseline);
+    Injected injected = paint({picture, stage.truth(), stage.examined(baseline).mask});
+    Trial trial = trial_of(baseline, [&] { return std::move(injected.picture); });
+    trial.injected = std::move(injected.pixels);
+    return trial;
+  };
+}
+
+/// A correct picture of a wrong scene.
+MakeTrial exact_of(const SceneChange& change) {
+  return [=](Stage& stage) {
+    Trial trial;
+    trial.picture = stage.truth_of_shadows(change(stage.scene()));
+    return trial;
+  };
+}
+
+MakeTrial against_truth(const std::function<Image(Stage&)>& truth) {
+  return [=](Stage& stage) {
+    Trial trial = trial_of(kSoft, [&] { return stage.picture(kSoft); });
+    trial.truth = truth(stage);
+    return trial;
+  };
+}
+
+MakeTrial against_shadows_of(const SceneChange& change) {
+  return against_truth([=](Stage& stage) { return stage.truth_of_shadows(change(stage.scene())); });
+}
+
+MakeTrial measured_by(const ErrorMetric& metric) {
+  return [=](Stage& stage) {
+    Trial trial = trial_of(kSoft, [&] { return stage.picture(kSoft); });
+    trial.metric = metric;
+    return trial;
+  };
+}
+
+SceneChange light_scaled(double factor) {
+  return [=](const Scene& scene) { return with_light_scaled(scene, factor); };
+}
+
+SceneChange light_moved(double share) {
+  return [=](const Scene& scene) { return with_light_moved(scene, share); };
+}
+
+SceneChange without(const std::string& part) {
+  return [=](const Scene& scene) { return without_part(scene, part); };
+}
+
+// Unity's fault of that kind left one cascade too soft.
+Trial softer_half(Stage& stage) {
+  const Image soft = stage.picture_of_shadows(kSoft, with_light_scaled(stage.scene(), 2.0));
+  Trial trial = trial_of(kSoft, [&] { return stage.picture(kSoft); });
+  const std::span<float> v = trial.picture.plane("visibility");
+  const size_t width = static_cast<size_t>(trial.picture.width);
+  for (size_t i = 0; i < v.size(); ++i) {
+    if (i % width < width / 2) v[i] = soft.plane("visibility")[i];
+  }
+  return trial;
+}
+
+Image one_seed_for_both_halves(Stage& stage) {
+  Image truth = stage.truth();
+  truth.planes["half_b"] = truth.planes["half_a"];
+  truth.planes["visibility"] = truth.planes["half_a"];
+  return truth;
+}
+
+VisibilityError swapped_operands(const Image& test, const Image& reference, std::span<const uint8_t> mask) {
+  Image swapped_test = test, swapped_reference = reference;
+  std::swap(swapped_test.planes["visibility"], swapped_reference.planes["visibility"]);
+  return measure_visibility_error(swapped_test, swapped_reference, mask);
+}
+
+VisibilityError forgotten_mask(const Image& test, const Image& reference, std::span<const uint8_t> mask) {
+  return measure_visibility_error(test, reference, std::vector<uint8_t>(mask.size(), 1));
+}
+
+VisibilityError mae_for_mse(const Image& test, const Image& reference, std::span<const uint8_t> mask) {
+  VisibilityError error = measure_visibility_error(test, reference, mask);
+  if (error.mse) error.mse->value = *error.mae;
+  return error;
+}
+
+VisibilityError noise_as_error(const Image& test, const Image& reference, std::span<const uint8_t> mask) {
+  Image no_halves = reference;
+  no_halves.planes["half_a"] = no_halves.planes["half_b"] = reference.planes.at("visibility");
+  return measure_visibility_error(test, no_halves, mask);
+}
+
+std::vector<FaultCase> faults_of_techniques() {
+  constexpr auto kOrigin = FaultOrigin::technique;
+  const auto text = [](const char* t) { return ParameterValue(std::string(t)); };
+  return {
+      {"bias x 0",
+       kOrigin,
+       "box_contact",
+       {acne},
+       changed(kBiased, {{"bias_texels", 0.0}, {"normal_offset_texels", 0.0}})},
+      {"bias x 0, slope",
+       kOrigin,
+       "slanted_plane",
+       {acne},
+       changed(kBiased, {{"bias_texels", 0.0}, {"normal_offset_texels", 0.0}})},
+      {"bias x 10",
+       kOrigin,
+       "colonnade",
+       {peter_panning},
+       changed(with(kBiased, {{"bias_world", 0.03}}), {{"bias_world", 0.3}})},
+      {"normal offset x 10",
+       kOrigin,
+       "colonnade",
+       {offset, peter_panning},
+       changed(kBiased, {{"normal_offset_texels", 10.0}})},
+      {"light's radius for its diameter", kOrigin, "plate", {softness}, of_scene(kSoft, light_scaled(0.5))},
+      {"light's diameter for its radius",
+       kOrigin,
+       "half_plane_disk",
+       {softness},
+       of_scene(kSoft, light_scaled(2.0))},
+      {"softer in one half", kOrigin, "half_plane", {softness}, softer_half},
+      {"hardens the wrong end",
+       kOrigin,
+       "sphere_terminator",
+       {hardening},
+       patched(
+           kSoft, "inverted",
+           {{"pcss.frag", "visible_share(light, receiver, z_blocker,",
+             "visible_share(light, receiver, view_light.depth_range.x + receiver.p_light.z - z_blocker,"}})},
+      {"constant width",
+       kOrigin,
+       "sphere_terminator",
+       {hardening},
+       patched(kSoft, "constant",
+               {{"pcss.frag", "visible_share(light, receiver, z_blocker,",
+                 "visible_share(light, receiver, 0.7 * receiver.p_light.z,"}})},
+      {"kernel in texels, not in the world",
+       kOrigin,
+       "half_plane",
+       {softness},
+       changed(with(kFixed, {{"radius_texels", 32.0}}), {{"map_size", int64_t{4096}}})},
+      {"hard for soft", kOrigin, "plate", {softness}, instead(kSoft, choice("hard"))},
+      {"search radius too small",
+       kOrigin,
+       "half_plane_disk",
+       {softness},
+       patched(kSoft, "search",
+               {{"blocker_search.glsl", "vec2 kernel = focused(", "vec2 kernel = 0.1 * focused("}})},
+      {"few taps, noise", kOrigin, "half_plane", {noise}, changed(kSoft, {{"filter_taps", int64_t{4}}})},
+      {"few taps, no noise",
+       kOrigin,
+       "half_plane",
+       {banding},
+       changed(kSoft, {{"filter_taps", int64_t{6}}, {"noise", false}})},
+      {"map of an eighth", kOrigin, "colonnade", {resolution}, changed(kSoft, {{"map_size", int64_t{128}}})},
+      {"culls the wrong faces",
+       kOrigin,
+       "plate",
+       {lost_shadow},
+       changed(kSoft, {{"caster_layer", text("back_faces")}})},
+      {"missing caster",
+       kOrigin,
+       "stacked_plates",
+       {geometric_leak, lost_shadow},
+       of_scene(kSoft, without("lower"))},
+      {"thin caster missing", kOrigin, "contact_hardening", {lost_shadow}, of_scene(kSoft, without("bar"))},
+      {"no bleed reduction",
+       kOrigin,
+       "stacked_plates",
+       {bleed},
+       changed(kVariance, {{"bleed_reduction", 0.0}})},
+      {"exponent overflows",
+       kOrigin,
+       "plate",
+       {lost_shadow},
+       patched(kExponential, "overflow",
+               {{"technique.toml", "constraints = [\"exponent <= 80 || form != form.exponential\"]\n", ""}},
+               {{"exponent", 1000.0}})},
+      {"warped moments in half floats",
+       kOrigin,
+       "plate",
+       {extra_shadow},
+       patched(kWarped, "half_floats",
+               {{"technique.toml", "name = \"moments\"\nformat = \"rgba32f\"",
+                 "name = \"moments\"\nformat = \"rgba16f\""},
+                {"technique.toml", "name = \"moments_x\"\nformat = \"rgba32f\"",
+                 "name = \"moments_x\"\nformat = \"rgba16f\""}})},
+      {"map depth in 8 bits",
+       kOrigin,
+       "box_contact",
+       {acne},
+       patched(choice("hard"), "eight_bits",
+               {{"shadow_map.glsl", "texelFetch(map, texel, 0).r, z_blocker)",
+                 "ceil(255.0 * texelFetch(map, texel, 0).r) / 255.0, z_blocker)"}})},
+      {"map upside down",
+       kOrigin,
+       "box_contact",
+       {lost_shadow, extra_shadow},
+       patched(kSoft, "upside_down",
+               {{"shadow_map.glsl", "return ivec2(floor(texel_position(view, lateral)));",
+                 "ivec2 t = ivec2(floor(texel_position(view, lateral))); return ivec2(t.x, "
+                 "int(view.depth_range.w) - 1 - t.y);"}})},
+      {"map one frame late", kOrigin, "half_plane", {offset}, of_scene(kSoft, light_moved(0.05))},
+  };
+}
+
+std::vector<FaultCase> faults_of_images() {
+  constexpr auto kOrigin = FaultOrigin::image;
+  return {
+      {"light-leak slit, 3 px", kOrigin, "half_plane", {geometric_leak}, painted(kSoft, light_leak_slit)},
+      {"speckle in .2 % of pixels", kOrigin, "plate", {acne}, painted(kSoft, speckle)},
+      {"moire, a quarter dark", kOrigin, "contact_hardening", {acne}, painted(kSoft, stripes)},
+      {"gap of 4 px at contacts", kOrigin, "box_contact", {peter_panning}, painted(kSoft, contact_gap)},
+      {"bleeding of .15", kOrigin, "stacked_plates", {bleed}, painted(kSoft, bleeding)},
+      {"thin shadow lost", kOrigin, "contact_hardening", {lost_shadow}, exact_of(without("post"))},
+  };
+}
+
+std::vector<FaultCase> faults_of_references() {
+  constexpr auto kOrigin = FaultOrigin::reference;
+  return {
+      {"light faces another way", kOrigin, "plate", {parity}, against_truth([](Stage& stage) {
+         return stage.truth_of(with_light_turned(stage.scene(), 0.6), 1);
+       })},
+      {"light of half the size", kOrigin, "half_plane", {softness}, against_shadows_of(light_scaled(0.5))},
+      {"only the light's centre", kOrigin, "plate", {truth}, against_shadows_of(light_scaled(1e-4))},
+      {"one seed for both halves", kOrigin, "half_plane", {truth}, against_truth(one_seed_for_both_halves)},
+      {"culls casters' lit faces",
+       kOrigin,
+       "plate",
+       {extra_shadow},
+       against_shadows_of([](const Scene& scene) { return without_faces_to_light(scene, "floor"); })},
+  };
+}
+
+std::vector<FaultCase> faults_of_metrics() {
+  constexpr auto kOrigin = FaultOrigin::metric;
+  return {{"operands swapped", kOrigin, "plate", {metric}, measured_by(swapped_operands)},
+          {"mask forgotten", kOrigin, "plate", {metric}, measured_by(forgotten_mask)},
+          {"MAE for MSE", kOrigin, "plate", {metric}, measured_by(mae_for_mse)},
+          {"noise counted as error", kOrigin, "plate", {metric}, measured_by(noise_as_error)}};
+}
+
+}  // namespace
+
+std::string_view name_of(FaultOrigin origin) {
+  constexpr std::array<std::string_view, 4> kNames = {"technique", "image", "reference", "metric"};
+  return kNames[static_cast<size_t>(origin)];
+}
+
+TechniqueChoice soft_shadows() {
+  return choice("pcss", {{"search_taps", int64_t{32}}, {"filter_taps", int64_t{64}}});
+}
+
+std::vector<FaultCase> fault_list() {
+  std::vector<FaultCase> all;
+  for (std::vector<FaultCase> part :
+       {faults_of_techniques(), faults_of_images(), faults_of_references(), faults_of_metrics()}) {
+    all.insert(all.end(), part.begin(), part.end());
+  }
+  return all;
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,158 @@
+#include "study/selftest/format.h"
+
+#include "study/json_optional.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace umbrameter {
+namespace {
+
+using OrderedJson = nlohmann::ordered_json;
+
+constexpr size_t kFirstMeasured = static_cast<size_t>(GateClass::acne);
+
+std::optional<double> severity_of(const GateVerdict& verdict, GateClass kind) {
+  std::optional<double> worst;
+  for (const GateMeasure& m : verdict.measures) {
+    if (m.kind == kind && m.value) worst = std::max(worst.value_or(-HUGE_VAL), m.severity());
+  }
+  return worst;
+}
+
+std::string kind_text(const GateVerdict& verdict) {
+  return verdict.kind ? std::string(name_of(*verdict.kind)) : "passes";
+}
+
+std::string cell(const std::optional<double>& severity) {
+  if (!severity) return " ";
+  if (*severity <= 0.05) return ".";
+  const std::string text = *severity > 99.0 ? "> 99" : fmt::format("{:.1f}", *severity);
+  return *severity > 1.0 ? "**" + text + "**" : text;
+}
+
+std::string fault_row(const FaultOutcome& fault) {
+  std::string row = fmt::format("| {} | {} | {} |", fault.name, name_of(fault.origin), fault.scene);
+  for (size_t k = kFirstMeasured; k < kGateClasses; ++k) {
+    row += fmt::format(" {} |", cell(severity_of(fault.verdict, static_cast<GateClass>(k))));
+  }
+  const char* mark = fault.is_right() ? "" : fault.is_found() ? " (wrong)" : " (missed)";
+  return row + fmt::format(" {}{} |\n", kind_text(fault.verdict), mark);
+}
+
+std::string fault_matrix(const SelftestResults& results) {
+  std::string head = "| fault | in | scene |", rule = "|---|---|---|";
+  for (size_t k = kFirstMeasured; k < kGateClasses; ++k) {
+    head += fmt::format(" {} |", name_of(static_cast<GateClass>(k)));
+    rule += "---|";
+  }
+  std::string text = head + " verdict |\n" + rule + "---|\n";
+  for (const FaultOutcome& fault : results.faults) text += fault_row(fault);
+  return text;
+}
+
+double worst_severity(const GateVerdict& verdict) {
+  double worst = 0.0;
+  for (const GateMeasure& m : verdict.measures) worst = std::max(worst, m.value ? m.severity() : 0.0);
+  return worst;
+}
+
+std::string benign_matrix(const SelftestResults& results) {
+  std::vector<std::string> names, scenes;
+  for (const BenignOutcome& o : results.benign) {
+    if (std::ranges::find(names, o.name) == names.end()) names.push_back(o.name);
+    if (std::ranges::find(scenes, o.scene) == scenes.end()) scenes.push_back(o.scene);
+  }
+  std::string head = "| scene |", rule = "|---|";
+  for (const std::string& name : names) head += fmt::format(" {} |", name), rule += "---|";
+  std::string text = head + "\n" + rule + "\n";
+  for (const std::string& scene : scenes) {
+    text += fmt::format("| {} |", scene);
+    for (const std::string& name : names) {
+      const auto found = std::ranges::find_if(
+          results.benign, [&](const BenignOutcome& o) { return o.name == name && o.scene == scene; });
+      text += found->verdict.passes() ? fmt::format(" {:.2f} |", worst_severity(found->verdict))
+                                      : fmt::format(" **{}** |", kind_text(found->verdict));
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+std::string ratio_text(const std::optional<double>& ratio) {
+  return ratio ? fmt::format("{:.3f}", *ratio) : "n/a";
+}
+
+std::string mask_table(const SelftestResults& results) {
+  std::string text =
+      "| painted | class | scenes | pixels | precision | recall | target |\n|---|---|---|---|---|---|---|\n";
+  for (const MaskOutcome& mask : results.masks_over_scenes()) {
+    const auto scenes = std::ranges::count(results.masks, mask.name, &MaskOutcome::name);
+    text += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", mask.name, name_of(mask.fault), scenes,
+                        mask.painted, ratio_text(mask.precision()), ratio_text(mask.recall()),
+                        mask.has_target ? "0.95" : "none");
+  }
+  return text;
+}
+
+OrderedJson verdict_json(const GateVerdict& verdict) {
+  OrderedJson measures = OrderedJson::array();
+  for (const GateMeasure& m : verdict.measures) {
+    measures.push_back({{"class", name_of(m.kind)},
+                        {"value", optional_json(m.value)},
+                        {"baseline", optional_json(m.baseline)},
+                        {"allowed", m.allowed}});
+  }
+  return {{"passes", verdict.passes()}, {"class", kind_text(verdict)}, {"measures", measures}};
+}
+
+}  // namespace
+
+std::string selftest_markdown(const SelftestResults& results) {
+  std::string text =
+      fault_matrix(results) + "\n" + benign_matrix(results) + "\n" + mask_table(results) + "\n";
+  text += fmt::format(
+      "found {} of {} faults, {} of the right class; {} false alarms in {} trials over {} scenes: {}\n",
+      results.found(), results.faults.size(), results.right(), results.false_alarms(), results.benign.size(),
+      results.scenes, results.passes() ? "passes" : "fails");
+  return text;
+}
+
+std::string selftest_json(const SelftestResults& results) {
+  OrderedJson faults = OrderedJson::array(), benign = OrderedJson::array(), masks = OrderedJson::array();
+  for (const FaultOutcome& fault : results.faults) {
+    OrderedJson right = OrderedJson::array();
+    for (const GateClass kind : fault.right) right.push_back(name_of(kind));
+    faults.push_back({{"fault", fault.name},
+                      {"in", name_of(fault.origin)},
+                      {"scene", fault.scene},
+                      {"expected", right},
+                      {"found", fault.is_found()},
+                      {"right", fault.is_right()},
+                      {"verdict", verdict_json(fault.verdict)}});
+  }
+  for (const BenignOutcome& o : results.benign) {
+    benign.push_back({{"variant", o.name}, {"scene", o.scene}, {"verdict", verdict_json(o.verdict)}});
+  }
+  for (const MaskOutcome& mask : results.masks) {
+    masks.push_back({{"painted", mask.name},
+                     {"class", name_of(mask.fault)},
+                     {"scene", mask.scene},
+                     {"pixels", mask.painted},
+                     {"precision", optional_json(mask.precision())},
+                     {"recall", optional_json(mask.recall())}});
+  }
+  const OrderedJson object = {{"passes", results.passes()},
+                              {"found", results.found()},
+                              {"right", results.right()},
+                              {"false_alarms", results.false_alarms()},
+                              {"faults", faults},
+                              {"benign", benign},
+                              {"masks", masks}};
+  return object.dump(2);
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,165 @@
+#include "study/selftest/selftest.h"
+
+#include "study/judgement.h"
+#include "study/metadata.h"
+#include "study/pictures.h"
+
+#include <algorithm>
+
+namespace umbrameter {
+namespace {
+
+struct Judged {
+  GateVerdict verdict;
+  Examined examined;
+};
+
+bool is_worse(const Trial& trial, const Examined& candidate, const Image& truth, Stage& stage) {
+  const Examined& baseline = stage.examined(*trial.baseline);
+  if (candidate.mask.empty() || baseline.mask.empty()) return false;
+  const auto verdict = judge_against({trial.picture, candidate.mask},
+                                     {stage.picture(*trial.baseline), baseline.mask}, "baseline", truth);
+  return verdict && verdict->outcome == Comparison::worse;
+}
+
+Judged judge(const Trial& trial, Stage& stage) {
+  Judged out;
+  if (trial.failure) {
+    out.examined.run.failure = trial.failure;
+    out.verdict = judge_gate(out.examined.run, nullptr, false);
+    return out;
+  }
+  const Image& truth = trial.truth ? *trial.truth : stage.truth();
+  out.examined = examine(trial.picture, truth, stage.eye_world(), trial.metric);
+  if (!trial.baseline) {
+    out.verdict = judge_gate(out.examined.run, nullptr, false);
+    return out;
+  }
+  out.verdict = judge_gate(out.examined.run, &stage.examined(*trial.baseline).run,
+                           is_worse(trial, out.examined, truth, stage));
+  return out;
+}
+
+// The picture and its faults, as <name>.png and <name>-faults.png.
+void keep_pictures(const std::string& name, const Trial& trial, const Judged& judged, const Stage& stage) {
+  const std::filesystem::path& folder = stage.settings().pictures_folder;
+  if (folder.empty() || trial.failure) return;
+  const std::string stem = file_name_of(stage.name() + ", " + name);
+  write_picture(folder / (stem + ".png"), visibility_picture(trial.picture));
+  if (judged.examined.fault_classes.empty()) return;
+  write_picture(folder / (stem + "-faults.png"),
+                fault_picture(judged.examined.fault_classes, trial.picture.width, trial.picture.height));
+}
+
+GateVerdict judge_and_keep(const std::string& name, const Trial& trial, Stage& stage) {
+  Judged judged = judge(trial, stage);
+  keep_pictures(name, trial, judged, stage);
+  return std::move(judged.verdict);
+}
+
+std::optional<MaskOutcome> count_mask(const MaskCase& mask, Stage& stage) {
+  const Trial trial = mask.make(stage);
+  if (std::ranges::count(trial.injected, uint8_t{1}) == 0) return std::nullopt;
+  const Judged judged = judge(trial, stage);
+  keep_pictures(mask.name, trial, judged, stage);
+  MaskOutcome out = {mask.name, stage.name(), mask.fault, mask.has_target};
+  for (size_t i = 0; i < trial.injected.size(); ++i) {
+    const bool is_painted = trial.injected[i] != 0;
+    const bool is_found =
+        !judged.examined.fault_classes.empty() && judged.examined.fault_classes[i] == mask.fault;
+    out.painted += is_painted ? 1 : 0;
+    out.found += is_found ? 1 : 0;
+    out.both += is_painted && is_found ? 1 : 0;
+  }
+  return out;
+}
+
+std::optional<double> share(size_t part, size_t whole) {
+  if (whole == 0) return std::nullopt;
+  return static_cast<double>(part) / static_cast<double>(whole);
+}
+
+}  // namespace
+
+bool FaultOutcome::is_right() const {
+  return verdict.kind && std::ranges::find(right, *verdict.kind) != right.end();
+}
+
+std::optional<double> MaskOutcome::precision() const {
+  return share(both, found);
+}
+
+std::optional<double> MaskOutcome::recall() const {
+  return share(both, painted);
+}
+
+size_t SelftestResults::found() const {
+  return static_cast<size_t>(std::ranges::count_if(faults, &FaultOutcome::is_found));
+}
+
+size_t SelftestResults::right() const {
+  return static_cast<size_t>(std::ranges::count_if(faults, &FaultOutcome::is_right));
+}
+
+size_t SelftestResults::false_alarms() const {
+  return static_cast<size_t>(
+      std::ranges::count_if(benign, [](const BenignOutcome& o) { return !o.verdict.passes(); }));
+}
+
+std::vector<MaskOutcome> SelftestResults::masks_over_scenes() const {
+  std::vector<MaskOutcome> sums;
+  for (const MaskOutcome& mask : masks) {
+    auto sum = std::ranges::find(sums, mask.name, &MaskOutcome::name);
+    if (sum == sums.end())
+      sum = sums.insert(sums.end(), MaskOutcome{mask.name, "", mask.fault, mask.has_target});
+    sum->painted += mask.painted;
+    sum->found += mask.found;
+    sum->both += mask.both;
+  }
+  return sums;
+}
+
+bool SelftestResults::passes(const SelftestTargets& targets) const {
+  const bool masks_pass = std::ranges::all_of(masks_over_scenes(), [&](const MaskOutcome& mask) {
+    return !mask.has_target ||
+           (mask.precision().value_or(0.0) >= targets.mask && mask.recall().value_or(0.0) >= targets.mask);
+  });
+  return !faults.empty() && found() == faults.size() && false_alarms() == 0 && masks_pass &&
+         static_cast<double>(right()) >= targets.right * static_cast<double>(faults.size());
+}
+
+SelftestResults run_selftest(std::span<const SceneJob> jobs, const SelftestSettings& settings,
+                             SelftestRenderers renderers, Progress& progress) {
+  const std::vector<FaultCase> faults = fault_list();
+  const std::vector<BenignVariant> variants = benign_list();
+  const std::vector<MaskCase> masks = mask_list();
+  SelftestResults results;
+  std::vector<std::optional<FaultOutcome>> outcomes(faults.size());
+  progress.begin("selftest", jobs.size());
+  SilentProgress silent;
+  for (const SceneJob& job : jobs) {
+    Stage stage(job, settings, renderers, silent);
+    for (const BenignVariant& variant : variants) {
+      results.benign.push_back(
+          {variant.name, job.name, judge_and_keep(variant.name, variant.make(stage), stage)});
+    }
+    for (const MaskCase& mask : masks) {
+      if (const auto outcome = count_mask(mask, stage)) results.masks.push_back(*outcome);
+    }
+    for (size_t k = 0; k < faults.size(); ++k) {
+      const FaultCase& fault = faults[k];
+      if (fault.scene != job.name) continue;
+      outcomes[k] = {fault.name, fault.scene, fault.origin, fault.right,
+                     judge_and_keep(fault.name, fault.make(stage), stage)};
+    }
+    ++results.scenes;
+    progress.advance(1);
+  }
+  progress.end();
+  for (std::optional<FaultOutcome>& outcome : outcomes) {
+    if (outcome) results.faults.push_back(std::move(*outcome));
+  }
+  return results;
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,60 @@
+#pragma once
+// The tester tested: known faults in pictures, techniques, references and metrics, which the gate must find and name, and
+// benign variants, which it must let pass (docs/selftest.md).
+
+#include "study/selftest/fault_list.h"
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace umbrameter {
+
+struct FaultOutcome {
+  std::string name, scene;
+  FaultOrigin origin = FaultOrigin::technique;
+  std::vector<GateClass> right;
+  GateVerdict verdict;
+  bool is_found() const { return !verdict.passes(); }
+  bool is_right() const;
+};
+
+struct BenignOutcome {
+  std::string name, scene;
+  GateVerdict verdict;
+};
+
+/// Pixels of one class against those that were painted.
+struct MaskOutcome {
+  std::string name, scene;
+  FaultClass fault = FaultClass::acne;
+  bool has_target = true;
+  size_t painted = 0, found = 0, both = 0;
+  std::optional<double> precision() const;
+  std::optional<double> recall() const;
+};
+
+struct SelftestTargets {
+  double right = 0.95;  // share of faults
+  double mask = 0.95;   // precision and recall
+};
+
+struct SelftestResults {
+  size_t scenes = 0;
+  std::vector<FaultOutcome> faults;
+  std::vector<BenignOutcome> benign;
+  std::vector<MaskOutcome> masks;  // of scenes with a place for them
+  /// Sums over scenes, one a mask; `scene` is empty.
+  std::vector<MaskOutcome> masks_over_scenes() const;
+  size_t found() const, right() const, false_alarms() const;
+  bool passes(const SelftestTargets& targets = {}) const;
+};
+
+/// Every fault whose scene is among `jobs`, every benign variant and painted mask on all of them. Errors of renderers pass
+/// through, but for those that a fault provokes.
+SelftestResults run_selftest(std::span<const SceneJob> jobs, const SelftestSettings& settings,
+                             SelftestRenderers renderers, Progress& progress);
+
+}  // namespace umbrameter

@@ -1,0 +1,135 @@
+#include "study/selftest/stage.h"
+
+#include "metrics/truth_check.h"
+#include "study/guard.h"
+#include "study/score.h"
+
+#include <glm/geometric.hpp>
+
+#include <array>
+
+namespace umbrameter {
+namespace {
+
+constexpr uint64_t kTruthSeed = 1, kExactSeed = 2;
+constexpr double kSamePlace = 1e-3;  // of the distance to the eye
+constexpr std::array kShadowChannels = {
+    "visibility",       "visibility_se", "half_a",           "half_b",
+    "irradiance_ratio", "sample_count",  "blocker_distance", "blocker_distance_min",
+    "blocker_layers",   "texel.x",       "texel.y",          "texel_world"};
+
+std::string key_of(const TechniqueChoice& choice) {
+  std::string key = choice.technique;
+  for (const auto& [name, value] : choice.parameters) key += " " + name + "=" + to_text(value);
+  return key;
+}
+
+glm::dvec3 place(const Image& image, size_t i) {
+  return {image.plane("position.x")[i], image.plane("position.y")[i], image.plane("position.z")[i]};
+}
+
+// Shadows of `from` where it shows the same places.
+Image with_shadows_of(const Image& from, Image onto, const glm::dvec3& eye_world) {
+  for (const char* channel : kShadowChannels) {
+    if (!from.has(channel) || !onto.has(channel)) continue;
+    const std::span<const float> source = from.plane(channel);
+    const std::span<float> target = onto.plane(channel);
+    for (size_t i = 0; i < target.size(); ++i) {
+      const glm::dvec3 p_world = place(onto, i);
+      if (glm::distance(place(from, i), p_world) <= kSamePlace * glm::distance(eye_world, p_world))
+        target[i] = source[i];
+    }
+  }
+  return onto;
+}
+
+}  // namespace
+
+TechniqueChoice with(TechniqueChoice choice, const ParameterValues& parameters) {
+  for (const auto& [name, value] : parameters) choice.parameters[name] = value;
+  return choice;
+}
+
+Examined examine(const Image& picture, const Image& truth, const glm::dvec3& eye_world,
+                 const ErrorMetric& metric) {
+  Examined out;
+  out.run.metric_problems = metric_problems(metric);
+  Score score;
+  out.run.failure = guarded([&] { score = score_image(picture, truth, eye_world); });
+  if (out.run.failure) return out;
+  out.run.parity_passes = score.parity.passes;
+  if (!score.parity.passes) return out;
+  out.run.truth_problems = truth_problems(truth, score.mask);
+  out.run.error = score.error;
+  out.run.diagnosis = score.diagnosis;
+  out.run.failure = score.no_diagnosis;
+  out.mask = std::move(score.mask);
+  out.fault_classes = std::move(score.fault_classes);
+  return out;
+}
+
+Stage::Stage(SceneJob job, const SelftestSettings& settings, SelftestRenderers renderers, Progress& progress)
+    : job_(std::move(job)), settings_(settings), renderers_(renderers), progress_(progress) {}
+
+Image Stage::render(Renderer& renderer, const Scene& scene, uint64_t seed, const TechniqueChoice& choice) {
+  RenderRequest request;
+  request.width_px = settings_.width_px;
+  request.height_px = settings_.height_px;
+  request.seed = seed;
+  request.technique = choice.technique;
+  request.parameters = choice.parameters;
+  return renderer.render(scene, request, progress_).image;
+}
+
+const Image& Stage::truth() {
+  const auto [found, is_new] = pictures_.try_emplace("truth");
+  if (is_new) found->second = truth_of(job_.scene, kTruthSeed);
+  return found->second;
+}
+
+const Image& Stage::exact() {
+  const auto [found, is_new] = pictures_.try_emplace("exact");
+  if (is_new) found->second = truth_of(job_.scene, kExactSeed);
+  return found->second;
+}
+
+const Examined& Stage::examined_exact() {
+  const auto [found, is_new] = examined_.try_emplace("exact");
+  if (is_new) found->second = examine(exact(), truth(), eye_world());
+  return found->second;
+}
+
+Image Stage::truth_of(const Scene& changed, uint64_t seed) {
+  return render(renderers_.reference, changed, seed, {});
+}
+
+Image Stage::truth_of_shadows(const Scene& changed) {
+  return with_shadows_of(truth_of(changed, kExactSeed), truth(), eye_world());
+}
+
+Image Stage::truth_with_other_threads() {
+  return render(renderers_.reference_other_threads, job_.scene, kTruthSeed, {});
+}
+
+const Image& Stage::picture(const TechniqueChoice& choice) {
+  const auto [found, is_new] = pictures_.try_emplace(key_of(choice));
+  if (is_new) found->second = picture(choice, kTruthSeed);
+  return found->second;
+}
+
+Image Stage::picture(const TechniqueChoice& choice, uint64_t seed) {
+  return render(renderers_.realtime, job_.scene, seed, choice);
+}
+
+const Examined& Stage::examined(const TechniqueChoice& choice) {
+  const auto [found, is_new] = examined_.try_emplace(key_of(choice));
+  if (is_new) found->second = examine(picture(choice), truth(), eye_world());
+  return found->second;
+}
+
+Image Stage::picture_of_shadows(const TechniqueChoice& choice, const Scene& changed) {
+  return with_shadows_of(render(renderers_.realtime, changed, kTruthSeed, choice), picture(choice),
+                         eye_world());
+}
+
+}  // namespace umbrameter

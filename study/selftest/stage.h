@@ -1,0 +1,83 @@
+#pragma once
+// A scene with its truth and pictures of it, for trials of the gate. Not here: which faults there are.
+
+#include "study/gate.h"
+#include "study/metric_probe.h"
+#include "study/validation.h"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace umbrameter {
+
+struct SelftestRenderers {
+  Renderer& reference;
+  Renderer& reference_other_threads;  // the same with another number of threads
+  Renderer& realtime;
+};
+
+struct SelftestSettings {
+  int width_px = 320;
+  int height_px = 180;
+  std::filesystem::path techniques_folder, shaders_folder;  // to make mutants from
+  std::filesystem::path scratch_folder;                     // where mutants go
+  std::filesystem::path pictures_folder;                    // of what was judged; empty: none are kept
+};
+
+struct TechniqueChoice {
+  std::string technique;  // id or folder
+  ParameterValues parameters;
+};
+
+/// `parameters` over those of `choice`.
+TechniqueChoice with(TechniqueChoice choice, const ParameterValues& parameters);
+
+/// What the gate saw of a picture.
+struct Examined {
+  GateRun run;
+  std::vector<uint8_t> mask;              // scored pixels; empty when void
+  std::vector<FaultClass> fault_classes;  // [height][width]; empty when void
+};
+
+Examined examine(const Image& picture, const Image& truth, const glm::dvec3& eye_world,
+                 const ErrorMetric& metric = error_metric);
+
+class Stage {
+ public:
+  Stage(SceneJob job, const SelftestSettings& settings, SelftestRenderers renderers, Progress& progress);
+
+  const std::string& name() const { return job_.name; }
+  const Scene& scene() const { return job_.scene; }
+  const SelftestSettings& settings() const { return settings_; }
+  const glm::dvec3& eye_world() const { return job_.scene.camera.eye_world; }
+
+  const Image& truth();
+  /// The truth again with other samples: a picture without a fault.
+  const Image& exact();
+  const Examined& examined_exact();
+  /// The truth of another scene under this one's name: visibility, its halves and its blockers alone. Elsewhere,
+  /// where a changed scene shows another surface, this one's truth stays.
+  Image truth_of_shadows(const Scene& changed);
+  Image truth_of(const Scene& changed, uint64_t seed);
+  Image truth_with_other_threads();
+
+  const Image& picture(const TechniqueChoice& choice);
+  const Examined& examined(const TechniqueChoice& choice);
+  Image picture(const TechniqueChoice& choice, uint64_t seed);
+  /// The shadows that `choice` draws of a changed scene, on the surfaces of this one.
+  Image picture_of_shadows(const TechniqueChoice& choice, const Scene& changed);
+
+ private:
+  Image render(Renderer& renderer, const Scene& scene, uint64_t seed, const TechniqueChoice& choice);
+
+  SceneJob job_;
+  SelftestSettings settings_;
+  SelftestRenderers renderers_;
+  Progress& progress_;
+  std::map<std::string, Image> pictures_;
+  std::map<std::string, Examined> examined_;
+};
+
+}  // namespace umbrameter

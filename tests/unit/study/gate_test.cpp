@@ -1,0 +1,122 @@
+// Without these the gate could pass a fault, name the wrong one, or alarm at what the baseline has anyway.
+
+#include "study/gate.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace umbrameter {
+namespace {
+
+GateRun clean_run() {
+  GateRun run;
+  run.error = VisibilityError{};
+  run.error->rmse = Interval{0.01, 0.009, 0.011};
+  run.diagnosis = Diagnosis{};
+  return run;
+}
+
+GateRun with_share(FaultClass fault, double share) {
+  GateRun run = clean_run();
+  run.diagnosis->faults.by_class[static_cast<size_t>(fault)].mean_abs_error = share;
+  return run;
+}
+
+Spread spread(double rmse) {
+  return {0.0, -rmse, rmse, rmse};
+}
+
+TEST(Gate, ACleanRunPassesWithAndWithoutABaseline) {
+  EXPECT_TRUE(judge_gate(clean_run(), nullptr, false).passes());
+  const GateRun baseline = clean_run();
+  EXPECT_TRUE(judge_gate(clean_run(), &baseline, false).passes());
+}
+
+TEST(Gate, EveryClassHasItsOwnName) {
+  std::set<std::string_view> names;
+  for (size_t k = 0; k < kGateClasses; ++k) names.insert(name_of(static_cast<GateClass>(k)));
+  EXPECT_EQ(names.size(), kGateClasses);
+}
+
+TEST(Gate, AFaultBeyondItsLimitIsNamed) {
+  EXPECT_TRUE(judge_gate(with_share(FaultClass::acne, 1.9e-4), nullptr, false).passes());
+  EXPECT_EQ(judge_gate(with_share(FaultClass::acne, 2.1e-4), nullptr, false).kind, GateClass::acne);
+  EXPECT_EQ(judge_gate(with_share(FaultClass::bleed, 1e-2), nullptr, false).kind, GateClass::bleed);
+}
+
+TEST(Gate, WhatTheBaselineHasIsAllowedAndHalfOfItMore) {
+  const GateRun baseline = with_share(FaultClass::resolution, 0.01);
+  EXPECT_TRUE(judge_gate(with_share(FaultClass::resolution, 0.015), &baseline, false).passes());
+  EXPECT_EQ(judge_gate(with_share(FaultClass::resolution, 0.0153), &baseline, false).kind,
+            GateClass::resolution);
+}
+
+TEST(Gate, TheLargestExcessIsTheMainFault) {
+  GateRun run = with_share(FaultClass::acne, 0.02);
+  run.diagnosis->faults.by_class[static_cast<size_t>(FaultClass::bleed)].mean_abs_error = 0.03;
+  EXPECT_EQ(judge_gate(run, nullptr, false).kind, GateClass::bleed);
+  const GateRun baseline = with_share(FaultClass::bleed, 0.025);
+  EXPECT_EQ(judge_gate(run, &baseline, false).kind, GateClass::acne);
+}
+
+TEST(Gate, AWrongPenumbraIsToldByItsShape) {
+  GateRun run = with_share(FaultClass::penumbra, 0.01);
+  EXPECT_EQ(judge_gate(run, nullptr, false).kind, GateClass::softness);
+  run.diagnosis->penumbra.offset_widths = spread(0.5);
+  EXPECT_EQ(judge_gate(run, nullptr, false).kind, GateClass::offset);
+  run.diagnosis->penumbra.width_octaves = spread(1.0);
+  EXPECT_EQ(judge_gate(run, nullptr, false).kind, GateClass::softness);
+  run.diagnosis->contact_hardening.slope = 0.0;
+  EXPECT_EQ(judge_gate(run, nullptr, false).kind, GateClass::hardening);
+}
+
+TEST(Gate, WhatTheBaselineDoesNotLetMeasureIsNotCompared) {
+  GateRun run = clean_run();
+  run.diagnosis->contact_hardening.slope = 0.0;
+  GateRun baseline = clean_run();
+  EXPECT_TRUE(judge_gate(run, &baseline, false).passes());
+  baseline.diagnosis->contact_hardening.slope = 0.9;
+  EXPECT_EQ(judge_gate(run, &baseline, false).kind, GateClass::hardening);
+}
+
+TEST(Gate, GrainIsNotBanding) {
+  GateRun run = clean_run();
+  run.diagnosis->causes.banding = 0.9;
+  EXPECT_EQ(judge_gate(run, nullptr, false).kind, GateClass::banding);
+  run.diagnosis->causes.noise = 0.05;
+  run.diagnosis->causes.reference_noise = 0.04;
+  EXPECT_EQ(judge_gate(run, nullptr, false).kind, GateClass::noise);
+}
+
+TEST(Gate, AnErrorWithoutACauseFailsOnlyWhenItIsWorseForCertain) {
+  const GateRun baseline = clean_run();
+  GateRun run = clean_run();
+  run.error->rmse->value = 0.05;
+  EXPECT_TRUE(judge_gate(run, &baseline, false).passes());
+  EXPECT_EQ(judge_gate(run, &baseline, true).kind, GateClass::error);
+}
+
+TEST(Gate, WhatVoidsARunIsSaidFirst) {
+  GateRun run = with_share(FaultClass::acne, 0.1);
+  run.parity_passes = false;
+  EXPECT_EQ(judge_gate(run, nullptr, false).kind, GateClass::parity);
+  run.truth_problems = {"the halves are one"};
+  EXPECT_EQ(judge_gate(run, nullptr, false).kind, GateClass::truth);
+  run.metric_problems = {"mse is mae"};
+  EXPECT_EQ(judge_gate(run, nullptr, false).kind, GateClass::metric);
+  run.failure = Failure{ErrorKind::input, "visibility is not finite"};
+  const GateVerdict verdict = judge_gate(run, nullptr, false);
+  EXPECT_EQ(verdict.kind, GateClass::failure);
+  EXPECT_TRUE(verdict.measures.empty());
+}
+
+TEST(Gate, SeverityIsOneAtTheLimit) {
+  const GateRun baseline = with_share(FaultClass::acne, 4e-4);
+  const GateVerdict verdict = judge_gate(with_share(FaultClass::acne, 8e-4), &baseline, false);
+  EXPECT_NEAR(verdict.measures.at(0).severity(), 1.0, 1e-9);
+  EXPECT_NEAR(verdict.measures.at(0).allowed, 8e-4, 1e-12);
+}
+
+}  // namespace
+}  // namespace umbrameter
