@@ -48,7 +48,13 @@ FaultInput checked_input(const Image& test, const Image& reference, std::span<co
           checked_texels(test, mask)};
 }
 
-// A shape takes along the connected error around it, its penumbra, up to three times its own size.
+// Whether nothing of the truth's shadow is left in the test.
+bool is_gone(const FaultInput& input, size_t i) {
+  return static_cast<double>(input.v[i]) > 1.0 - input.settings.lit_epsilon;
+}
+
+// A shape takes along the connected error around it, its penumbra, up to three times its own size; a lost one
+// also the connected shadow that is gone as wholly, such as the tip of a post's, which has no umbra.
 void claim_shapes(const FaultInput& input, float sign, std::span<const uint8_t> shape, FaultClass fault,
                   Faults& out) {
   if (shape.empty()) return;
@@ -65,7 +71,8 @@ void claim_shapes(const FaultInput& input, float sign, std::span<const uint8_t> 
   for (size_t i = 0; i < shape.size(); ++i) {
     if (errors.label[i] < 0) continue;
     const size_t k = static_cast<size_t>(errors.label[i]);
-    if (shape[i] != 0 || 4 * claimed[k] >= pixels[k]) out.classes[i] = fault;
+    const bool is_lost = fault == FaultClass::lost_shadow && claimed[k] > 0 && is_gone(input, i);
+    if (shape[i] != 0 || 4 * claimed[k] >= pixels[k] || is_lost) out.classes[i] = fault;
   }
 }
 

@@ -122,6 +122,24 @@ TEST(FaultClasses, AContactShadowThatIsGoneIsPeterPanning) {
   EXPECT_EQ(classify_floor(half_plane(), reference).of(FaultClass::lost_shadow).pixels, shadow);
 }
 
+TEST(FaultClasses, TheTipWithoutUmbraOfALostShadowIsLostWithIt) {
+  Image reference = fault_floor([](double, double) { return 1.0; });
+  const auto shade = [](Image& image, int x0, int x1, float visibility) {
+    return for_floor_rectangle(x0, 56, x1, 68, [&](size_t i) {
+      image.plane("visibility")[i] = visibility;
+      image.plane("blocker_distance_min")[i] = 3.0f;
+      image.plane("blocker_layers")[i] = 1.0f;
+    });
+  };
+  const Image lit = reference;
+  const size_t core = shade(reference, 20, 36, 0.1f);
+  const size_t tip = shade(reference, 36, 200, 0.6f);
+  EXPECT_EQ(classify_floor(lit, reference).of(FaultClass::lost_shadow).pixels, core + tip);
+  Image test = lit;
+  shade(test, 36, 200, 0.7f);  // too light, but there
+  EXPECT_LE(classify_floor(test, reference).of(FaultClass::lost_shadow).pixels, core);
+}
+
 TEST(FaultClasses, LightWhereTheReceiverHidesTheLightIsTheTerminator) {
   Image reference = half_plane();
   for_floor_rectangle(180, 20, 240, 100, [&](size_t i) { reference.plane("visibility")[i] = 0.6f; });
