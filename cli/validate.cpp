@@ -25,6 +25,7 @@ struct ValidateOptions {
   std::vector<std::string> scenes;
   std::vector<std::string> techniques;
   QualityOptions quality;
+  std::optional<int> frames;
   std::string metrics;
   std::string baseline;
   std::optional<double> limit_rmse;
@@ -117,7 +118,7 @@ ValidationPlan make_plan(const Quality& quality, std::vector<TechniqueRun> techn
   plan.seed = quality.seed;
   plan.samples_per_pixel = quality.samples_per_pixel;
   plan.target_se = quality.target_se;
-  plan.timed_frames = quality.timed_frames;
+  plan.timed_frames = options.frames.value_or(quality.timed_frames);
   check_baseline(options.baseline, techniques);
   plan.techniques = std::move(techniques);
   plan.metrics = choose_metrics(options.metrics);
@@ -209,6 +210,9 @@ void add_validate(CLI::App& app, CommandLine& line) {
       ->check(CLI::PositiveNumber);
   verb->add_option("--metrics", options->metrics, kMetricsHelp);
   add_quality_options(*verb, options->quality);
+  verb->add_option("--frames", options->frames,
+                   "timed frames a technique, instead of the quality's; 0 times nothing")
+      ->check(CLI::Range(0, 10000));
   verb->add_flag("--temporal", options->temporal,
                  "also measure flicker under a moving camera and light, and the noise of seeds");
   verb->callback(

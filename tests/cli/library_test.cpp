@@ -61,7 +61,7 @@ class Library : public CliTest {
 };
 
 TEST_F(Library, EveryBuiltInSceneIsMeasuredWithEveryTechnique) {
-  const Json results = validate({"--width", "192", "--height", "108", "--spp", "64"});
+  const Json results = validate({"--width", "192", "--height", "108", "--spp", "64", "--frames", "0"});
   expect_all_measured(results, scene_names(kLibrary).size());
 }
 
@@ -80,8 +80,8 @@ class Assets : public Library {
 class AssetScene : public Assets, public testing::WithParamInterface<std::string> {};
 
 TEST_P(AssetScene, BothRenderersAgree) {
-  const Json results =
-      validate({"assets/" + GetParam(), "--technique", "hard", "--quality", "quick"}, assets_);
+  const Json results = validate(
+      {"assets/" + GetParam(), "--technique", "hard", "--quality", "quick", "--frames", "1"}, assets_);
   expect_all_measured(results, 1);
 }
 
@@ -92,7 +92,7 @@ TEST_F(Assets, SponzaBunnyAndDragonAreMeasuredAt960x540) {
   const Json results =
       validate({"assets/crytek_sponza", "assets/bunny", "assets/dragon", "--technique", "hard", "--technique",
                 "pcf", "--technique", "pcss", "--technique", "accumulate:light_samples=16", "--width", "960",
-                "--height", "540", "--spp", "128"},
+                "--height", "540", "--spp", "128", "--frames", "1"},
                assets_);
   expect_all_measured(results, 3);
   for (const Json& scene : results["scenes"]) {
