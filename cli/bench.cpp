@@ -17,7 +17,7 @@ namespace umbrameter {
 namespace {
 
 struct BenchOptions {
-  std::string study;
+  std::vector<std::string> studies;
   std::string csv;
   std::string best_under;
   std::optional<double> cheapest_below_rmse;
@@ -54,12 +54,12 @@ BenchQueries choose_queries(const BenchOptions& options) {
   return queries;
 }
 
-BenchPlan make_plan(const StudyFile& study, const Quality& quality, const BenchOptions& options,
-                    const Home& home) {
+BenchPlan make_plan(const StudyFile& study, const std::string& file, const Quality& quality,
+                    const BenchOptions& options, const Home& home) {
   BenchPlan plan;
   plan.title = study.title;
   plan.doc = study.doc;
-  plan.file = options.study;
+  plan.file = file;
   plan.quality = quality.name;
   plan.width_px = quality.width_px;
   plan.height_px = quality.height_px;
@@ -67,7 +67,7 @@ BenchPlan make_plan(const StudyFile& study, const Quality& quality, const BenchO
   plan.target_se = quality.target_se;
   plan.reference_seed = quality.seed;
   plan.timing = {.wanted_frames = options.frames.value_or(study.frames), .budget_s = study.frame_budget_s};
-  plan.runs = choose_study_runs(study, options.study, home);
+  plan.runs = choose_study_runs(study, file, home);
   plan.claims = study.claims;
   return plan;
 }
@@ -81,32 +81,71 @@ int verdict(const BenchResults& results) {
   return code;
 }
 
+/// One study, loaded and checked, so that a bad one costs no time.
+struct LoadedStudy {
+  Quality quality;
+  BenchPlan plan;
+  std::vector<SceneJob> scenes;
+};
+
+LoadedStudy load(const std::string& file, const BenchOptions& options, const Home& home,
+                 const SceneSearch& search, Progress& progress) {
+  const StudyFile study = load_study(file);
+  LoadedStudy loaded;
+  loaded.quality = choose_study_quality(study, options.quality);
+  loaded.plan = make_plan(study, file, loaded.quality, options, home);
+  loaded.scenes = load_study_scenes(study, file, search, progress);
+  return loaded;
+}
+
+BenchResults run(const LoadedStudy& study, Renderer& realtime, int threads, ProgressBar& progress) {
+  const auto reference =
+      make_reference_renderer({study.quality.samples_per_pixel, study.quality.target_se, threads});
+  return run_bench(study.scenes, study.plan, {*reference, realtime}, progress, [&](const BenchScene& scene) {
+    progress.clear();
+    print_note(scene_line(scene));
+  });
+}
+
+/// One object, or {"studies": [...]} of several.
+std::string json_of(const std::vector<BenchResults>& all, const BenchQueries& queries) {
+  if (all.size() == 1) return to_json_text(all.front(), queries);
+  std::string text;
+  for (const BenchResults& results : all) {
+    std::string one = to_json_text(results, queries);
+    while (one.ends_with('\n')) one.pop_back();
+    text += (text.empty() ? "" : ",\n") + one;
+  }
+  return "{\"studies\": [\n" + text + "\n]}\n";
+}
+
 int bench(const BenchOptions& options, const GlobalOptions& global) {
-  const StudyFile study = load_study(options.study);
-  const Quality quality = choose_study_quality(study, options.quality);
   const BenchQueries queries = choose_queries(options);
+  if (!options.csv.empty() && options.studies.size() > 1)
+    fail_input("--csv takes one study, as each file has a table of its own", {}, "run them one by one");
   const Home home = find_home();
   const SceneSearch search = scene_search(global, home);
-  const BenchPlan plan = make_plan(study, quality, options, home);
   std::optional<StagedFile> csv;
   if (!options.csv.empty()) csv.emplace(options.csv, ".csv");
   ProgressBar progress;
-  const std::vector<SceneJob> scenes = load_study_scenes(study, options.study, search, progress);
+  std::vector<LoadedStudy> studies;
+  for (const std::string& file : options.studies)
+    studies.push_back(load(file, options, home, search, progress));
   const auto realtime = open_realtime_renderer(global, home);
-  const auto reference =
-      make_reference_renderer({quality.samples_per_pixel, quality.target_se, global.threads});
-  const BenchResults results =
-      run_bench(scenes, plan, {*reference, *realtime}, progress, [&](const BenchScene& scene) {
-        progress.clear();
-        print_note(scene_line(scene));
-      });
+  std::vector<BenchResults> all;
+  int code = kExitFine;
+  for (LoadedStudy& study : studies) {
+    all.push_back(run(study, *realtime, global.threads, progress));
+    study.scenes.clear();
+    if (!global.json) print_answer(bench_text(all.back(), queries, options.with_passes));
+    code = std::max(code, verdict(all.back()));
+  }
   if (csv) {
-    write_file_atomically(csv->staged(), to_csv(results));
+    write_file_atomically(csv->staged(), to_csv(all.front()));
     csv->publish();
   }
-  print_answer(global.json ? to_json_text(results, queries)
-                           : bench_text(results, queries, options.with_passes));
-  return verdict(results);
+  if (global.json) print_answer(json_of(all, queries));
+  return code;
 }
 
 }  // namespace
@@ -116,7 +155,7 @@ void add_bench(CLI::App& app, CommandLine& line) {
   CLI::App* verb = app.add_subcommand(
       "bench", "time a study's runs in turn, score them, and set them beside a paper's claims");
   verb->fallthrough();
-  verb->add_option("study", options->study, "study file (docs/studies.md)")->required();
+  verb->add_option("study", options->studies, "study files (docs/studies.md)")->required();
   verb->add_option("--csv", options->csv, "also write one line a scene and run to this file");
   verb->add_option("--best-under", options->best_under, "name the smallest error within a time, such as 1ms");
   verb->add_option("--cheapest-below-rmse", options->cheapest_below_rmse,
