@@ -1,6 +1,6 @@
 #pragma once
 // The six properties by which paper E (table 4.1) tells techniques apart, computed instead of judged. Sees only
-// Renderer&. docs/techniques.md says what each number means.
+// Renderer&. docs/traits.md says what each number means.
 
 #include "study/validation.h"
 
