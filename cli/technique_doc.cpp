@@ -1,5 +1,6 @@
 #include "cli/technique_doc.h"
 
+#include "core/statistics.h"
 #include "study/diagnosis_format.h"
 #include "study/format.h"
 
@@ -84,12 +85,6 @@ std::string lights_text(const Technique& technique) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-double median_of(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
-
 std::string overview_text(std::span<const Technique> techniques, const Results& results) {
   std::string text = "| technique | | scenes | median RMSE | worst RMSE |\n|---|---|---|---|---|\n";
   for (const Technique& technique : techniques) {
@@ -98,7 +93,7 @@ std::string overview_text(std::span<const Technique> techniques, const Results& 
       if (m.run->error && m.run->error->rmse) rmse.push_back(m.run->error->rmse->value);
     }
     text += fmt::format("| [{0}](#{0}) | {1} | {2} | {3} | {4} |\n", technique.id, technique.title,
-                        rmse.size(), rmse.empty() ? "" : fmt::format("{:.4f}", median_of(rmse)),
+                        rmse.size(), rmse.empty() ? "" : fmt::format("{:.4f}", median(rmse)),
                         rmse.empty() ? "" : fmt::format("{:.4f}", std::ranges::max(rmse)));
   }
   return text + "\n";

@@ -172,4 +172,36 @@ ErrorSummary floor_error(const Frame& frame, const std::function<double(const gl
   return summary;
 }
 
+Scene busy_scene(const Light& light) {
+  Scene scene;
+  scene.name = "busy";
+  add_floor(scene, {12, 12});
+  add_floor(scene, {0.8, 0.8}, 1.2, {0.2, 0});
+  add_floor(scene, {0.5, 1.5}, 2.0, {-0.2, 0.3});
+  add_sphere(scene, {0.9, 0.4, -0.5}, 0.4, 12);
+  add_quad(scene, {-2, 0, 1}, {-1, 0, 1}, {-1, 1.5, -1}, {-2, 1.5, -1});
+  scene.lights = {light};
+  scene.camera.eye_world = {2.5, 2.5, 2.5};
+  scene.camera.at_world = {-0.2, 0.2, 0};
+  finish_scene(scene);
+  return scene;
+}
+
+ParameterValues with(ParameterValues values, const ParameterValues& more) {
+  for (const auto& [name, value] : more) values[name] = value;
+  return values;
+}
+
+double largest_difference(const std::vector<float>& a, const std::vector<float>& b) {
+  double largest = 0.0;
+  for (size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(double{a[i]} - double{b[i]}));
+  return largest;
+}
+
+double mean_difference(const std::vector<float>& a, const std::vector<float>& b) {
+  double sum = 0.0;
+  for (size_t i = 0; i < a.size(); ++i) sum += std::abs(double{a[i]} - double{b[i]});
+  return sum / static_cast<double>(a.size());
+}
+
 }  // namespace umbrameter::test

@@ -37,6 +37,16 @@ double half_plane_visibility(const Light& light, const glm::dvec3& p_world);
 Scene plate_scene();
 double plate_visibility(const glm::dvec3& p_world);
 
+/// Blockers at two heights, a slope, a sphere: everything a parameter could act on.
+Scene busy_scene(const Light& light);
+
+/// `values` with those of `more` put in or in their place.
+ParameterValues with(ParameterValues values, const ParameterValues& more);
+
+/// Between two pictures of one size, pixel by pixel.
+double largest_difference(const std::vector<float>& a, const std::vector<float>& b);
+double mean_difference(const std::vector<float>& a, const std::vector<float>& b);
+
 struct ErrorSummary {
   double rmse = 0.0;
   double worst = 0.0;

@@ -21,11 +21,6 @@ ParameterValues no_bias() {
           {"normal_offset_texels", 0.0}};
 }
 
-ParameterValues with(ParameterValues values, const ParameterValues& more) {
-  for (const auto& [name, value] : more) values[name] = value;
-  return values;
-}
-
 struct Scheme {
   std::string name;
   ParameterValues values;

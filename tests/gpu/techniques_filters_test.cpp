@@ -17,18 +17,6 @@ using namespace test;
 const std::vector<LightType> kLightTypes = {LightType::rect, LightType::disk, LightType::sphere,
                                             LightType::sun};
 
-double largest_difference(const std::vector<float>& a, const std::vector<float>& b) {
-  double largest = 0.0;
-  for (size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(double{a[i]} - double{b[i]}));
-  return largest;
-}
-
-double mean_difference(const std::vector<float>& a, const std::vector<float>& b) {
-  double sum = 0.0;
-  for (size_t i = 0; i < a.size(); ++i) sum += std::abs(double{a[i]} - double{b[i]});
-  return sum / static_cast<double>(a.size());
-}
-
 /// A texel position is up to 512 with rounding of 3e-5; a filter blends by such positions.
 constexpr double kRoundingOfWeights = 1e-3;
 

@@ -13,12 +13,6 @@ namespace {
 
 using namespace test;
 
-double largest_difference(const std::vector<float>& a, const std::vector<float>& b) {
-  double largest = 0.0;
-  for (size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(double{a[i]} - double{b[i]}));
-  return largest;
-}
-
 /// Without biases, so that nothing but the filter is compared, over a small map.
 ParameterValues exact(ParameterValues values) {
   values["map_size"] = int64_t{512};

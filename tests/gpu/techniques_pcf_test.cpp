@@ -23,42 +23,15 @@ const std::vector<LightType> kLightTypes = {LightType::rect, LightType::disk, Li
 /// A texel position is up to 512 with rounding of 3e-5; a filter blends by such positions.
 constexpr double kRoundingOfWeights = 1e-3;
 
-double largest_difference(const std::vector<float>& a, const std::vector<float>& b) {
-  double largest = 0.0;
-  for (size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(double{a[i]} - double{b[i]}));
-  return largest;
-}
-
-double mean_difference(const std::vector<float>& a, const std::vector<float>& b) {
-  double sum = 0.0;
-  for (size_t i = 0; i < a.size(); ++i) sum += std::abs(double{a[i]} - double{b[i]});
-  return sum / static_cast<double>(a.size());
-}
-
 ParameterValues small_map(ParameterValues values) {
   values["map_size"] = int64_t{512};
   return values;
 }
 
-/// Slopes, curved casters, blockers over one another.
-Scene rough_scene(const Light& light) {
-  Scene scene;
-  add_floor(scene, {12, 12});
-  add_floor(scene, {0.8, 0.8}, 1.2, {0.2, 0});
-  add_floor(scene, {0.5, 1.5}, 2.0, {-0.2, 0.3});
-  add_sphere(scene, {0.9, 0.4, -0.5}, 0.4, 12);
-  add_quad(scene, {-2, 0, 1}, {-1, 0, 1}, {-1, 1.5, -1}, {-2, 1.5, -1});
-  scene.lights = {light};
-  scene.camera.eye_world = {2.5, 2.5, 2.5};
-  scene.camera.at_world = {-0.2, 0.2, 0};
-  finish_scene(scene);
-  return scene;
-}
-
 TEST(pcf_gather, is_the_box_of_its_width) {
   UMBRAMETER_REQUIRE_GL();
   for (const LightType type : kLightTypes) {
-    const Scene scene = rough_scene(light_at_4(type, 0.5));
+    const Scene scene = busy_scene(light_at_4(type, 0.5));
     for (const int64_t width : {1, 2, 3, 6, 11}) {
       const auto gathered = visibility(scene, "pcf_gather", small_map({{"filter_width_texels", width}}));
       const auto box = visibility(scene, "pcf", small_map({{"filter_width_texels", double(width)}}));
@@ -113,7 +86,7 @@ void main() {
 
 TEST_F(BruteForceTent, is_what_the_gathers_give) {
   for (const LightType type : kLightTypes) {
-    const Scene scene = rough_scene(light_at_4(type, 0.5));
+    const Scene scene = busy_scene(light_at_4(type, 0.5));
     for (const std::string size : {"3x3", "5x5", "7x7"}) {
       for (const std::string weights : {"tent", "witness"}) {
         const ParameterValues values = small_map({{"size", size}, {"weights", weights}});
@@ -153,7 +126,7 @@ TEST(pcf_adaptive, min_max_loses_nothing) {
   UMBRAMETER_REQUIRE_GL();
   for (const LightType type : kLightTypes) {
     const Light light = light_at_4(type, 0.5);
-    for (const Scene& scene : {half_plane_scene(light), rough_scene(light)}) {
+    for (const Scene& scene : {half_plane_scene(light), busy_scene(light)}) {
       for (const double radius : {0.0, 5.0, 17.3, 64.0}) {
         for (const std::string receiver_plane : {"none", "tap", "texel_center"}) {
           ParameterValues all = adaptive("none", radius);
@@ -194,7 +167,7 @@ TEST(pcf_adaptive, ring_loses_a_blocker_inside_the_ring_and_probes_find_it) {
 
 TEST(pcf_adaptive, ring_is_wrong_only_where_all_of_the_ring_agrees) {
   UMBRAMETER_REQUIRE_GL();
-  const Scene scene = rough_scene(light_at_4(LightType::rect, 0.5));
+  const Scene scene = busy_scene(light_at_4(LightType::rect, 0.5));
   const auto all = visibility(scene, "pcf_adaptive", adaptive("none", 9.0));
   const auto ring = visibility(scene, "pcf_adaptive", adaptive("ring", 9.0));
   for (size_t i = 0; i < all.size(); ++i)
@@ -204,7 +177,7 @@ TEST(pcf_adaptive, ring_is_wrong_only_where_all_of_the_ring_agrees) {
 TEST(pcf_adaptive, of_no_radius_is_the_hard_shadow) {
   UMBRAMETER_REQUIRE_GL();
   for (const std::string early_out : {"none", "ring", "min_max"}) {
-    const Scene scene = rough_scene(light_at_4(LightType::rect, 0.5));
+    const Scene scene = busy_scene(light_at_4(LightType::rect, 0.5));
     EXPECT_EQ(visibility(scene, "pcf_adaptive", adaptive(early_out, 0.0)),
               visibility(scene, "hard", small_map({})))
         << early_out;

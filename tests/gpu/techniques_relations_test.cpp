@@ -32,28 +32,6 @@ ParameterValues quick(const Technique& technique) {
   return values;
 }
 
-/// Blockers at two heights, a slope, a sphere: everything a parameter could act on.
-Scene busy_scene(const Light& light) {
-  Scene scene;
-  scene.name = "busy";
-  add_floor(scene, {12, 12});
-  add_floor(scene, {0.8, 0.8}, 1.2, {0.2, 0});
-  add_floor(scene, {0.5, 1.5}, 2.0, {-0.2, 0.3});
-  add_sphere(scene, {0.9, 0.4, -0.5}, 0.4, 12);
-  add_quad(scene, {-2, 0, 1}, {-1, 0, 1}, {-1, 1.5, -1}, {-2, 1.5, -1});
-  scene.lights = {light};
-  scene.camera.eye_world = {2.5, 2.5, 2.5};
-  scene.camera.at_world = {-0.2, 0.2, 0};
-  finish_scene(scene);
-  return scene;
-}
-
-double largest_difference(const std::vector<float>& a, const std::vector<float>& b) {
-  double largest = 0.0;
-  for (size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(double{a[i]} - double{b[i]}));
-  return largest;
-}
-
 /// Values other than the default that should show.
 std::vector<ParameterValue> alternatives(const Parameter& parameter) {
   switch (parameter.type) {

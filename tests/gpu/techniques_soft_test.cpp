@@ -17,11 +17,6 @@ using namespace test;
 const std::vector<LightType> kLightTypes = {LightType::rect, LightType::disk, LightType::sphere,
                                             LightType::sun};
 
-ParameterValues with(ParameterValues values, const ParameterValues& more) {
-  for (const auto& [name, value] : more) values[name] = value;
-  return values;
-}
-
 const ParameterValues kSmallMap = {{"map_size", int64_t{512}}};
 
 ParameterValues many_taps(const ParameterValues& more = {}) {
