@@ -32,7 +32,14 @@ void set_state(const PassDeclaration& pass, bool mirrors) {
   set_blend(pass.state.blend);
   set_cull(pass.state.cull, mirrors);
   if (pass.state.depth_clamp) glEnable(GL_DEPTH_CLAMP);
-  for (int i = 0; i < pass.state.clip_distances; ++i) glEnable(GL_CLIP_DISTANCE0 + static_cast<GLenum>(i));
+}
+
+/// On around one pass's draw only, so that every other pass need not turn them off.
+void set_clip_distances(const PassState& state, bool is_on) {
+  for (int i = 0; i < state.clip_distances; ++i) {
+    const GLenum distance = GL_CLIP_DISTANCE0 + static_cast<GLenum>(i);
+    is_on ? glEnable(distance) : glDisable(distance);
+  }
 }
 
 /// Colours take the given values, the last one repeated. Depth takes the first one in a pass without colours
@@ -76,7 +83,9 @@ void draw_pass(const Plan& plan, const Step& step, const SceneBuffers& scene_buf
   for (const BoundTexture& bound : pass.textures) bind_texture(bound.unit, *bound.texture, *bound.sampler);
   for (const UniformRange& range : step.uniforms) bind_range(plan.uniforms, range);
   if (declaration.kind == "scene") {
+    set_clip_distances(declaration.state, true);
     scene_buffers.draw();
+    set_clip_distances(declaration.state, false);
   } else {
     draw_fullscreen(empty_vertex_array);
   }

@@ -86,6 +86,8 @@ glm::dvec4 receiver_plane(const Image& gbuffer) {
     glm::dvec4 sum{0.0};
   };
   std::map<std::array<int64_t, 4>, Votes> planes;
+  Votes* last = nullptr;  // neighbours mostly show one triangle: most pixels need no search
+  float last_id = -1.0f;
   for (size_t pixel = 0; pixel < gbuffer.pixel_count(); ++pixel) {
     if (!receivers.is_receiver(pixel)) continue;
     const glm::dvec3 n(nx[pixel], ny[pixel], nz[pixel]);
@@ -93,10 +95,13 @@ glm::dvec4 receiver_plane(const Image& gbuffer) {
     const auto cell = [](double value, double step) {
       return static_cast<int64_t>(std::llround(value / step));
     };
-    Votes& votes = planes[{cell(n.x, kNormalStep), cell(n.y, kNormalStep), cell(n.z, kNormalStep),
-                           cell(offset, kOffsetShare * std::max(scale, 1e-30))}];
-    votes.count += 1;
-    votes.sum += glm::dvec4(n, offset);
+    if (last == nullptr || receivers.id[pixel] != last_id) {
+      last = &planes[{cell(n.x, kNormalStep), cell(n.y, kNormalStep), cell(n.z, kNormalStep),
+                      cell(offset, kOffsetShare * std::max(scale, 1e-30))}];
+      last_id = receivers.id[pixel];
+    }
+    last->count += 1;
+    last->sum += glm::dvec4(n, offset);
   }
   if (planes.empty()) return {0, 1, 0, 0};
   const auto most =

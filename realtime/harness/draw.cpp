@@ -10,8 +10,6 @@ void set_default_state() {
   for (const GLenum capability : {GL_CULL_FACE, GL_BLEND, GL_DEPTH_CLAMP, GL_SCISSOR_TEST, GL_DITHER}) {
     glDisable(capability);
   }
-  constexpr GLenum kClipDistances = 8;  // the least a GL offers
-  for (GLenum i = 0; i < kClipDistances; ++i) glDisable(GL_CLIP_DISTANCE0 + i);
 }
 
 void draw_fullscreen(const VertexArray& empty_vertex_array) {
