@@ -25,6 +25,7 @@ HOMES = {
     "OpenImageIO/": ("core/image_io.cpp", "cli/"),
     "tiny_obj_loader.h": ("scenes/",),
     "CLI/": ("cli/",),
+    "sqlite3.h": ("study/store/",),
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
