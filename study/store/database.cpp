@@ -138,7 +138,8 @@ void Database::salvage(const std::filesystem::path& file, std::string_view table
       sqlite3_bind_int64(statement, 1, id);
       if (sqlite3_step(statement) != SQLITE_ROW) continue;
       std::vector<std::string> texts;
-      for (size_t i = 0; i < columns.size(); ++i) texts.push_back(column_text(statement, static_cast<int>(i)));
+      for (size_t i = 0; i < columns.size(); ++i)
+        texts.push_back(column_text(statement, static_cast<int>(i)));
       row(texts);
     }
   }

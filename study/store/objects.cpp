@@ -43,10 +43,8 @@ void sync(const fs::path& place) {
   if (!is_synced) fail_object(place, std::strerror(problem));
 }
 
-void link_or_copy(const fs::path& from, const fs::path& to) {
+void copy_object(const fs::path& from, const fs::path& to) {
   std::error_code error;
-  fs::create_hard_link(from, to, error);
-  if (!error) return;
   fs::copy_file(from, to, fs::copy_options::overwrite_existing, error);
   if (!error) return;
   std::error_code ignored;
@@ -68,18 +66,11 @@ std::string keep_object(const fs::path& folder, const fs::path& file) {
   fs::create_directories(place.parent_path(), error);
   if (error) fail_object(place, error.message());
   const fs::path temporary = temporary_name(place);
-  link_or_copy(file, temporary);
+  copy_object(file, temporary);  // no link: who rewrites the file must not rewrite what is kept
   sync(temporary);
-  fs::rename(temporary, place, error);  // of two links to one file this does nothing
-  std::error_code ignored;
-  fs::remove(temporary, ignored);
-  if (error) fail_object(place, error.message());
+  rename_into_place(temporary, place);
   sync(place.parent_path());
   return name;
-}
-
-void link_object(const fs::path& object, const fs::path& to) {
-  link_or_copy(object, to);
 }
 
 bool is_object_name(const std::string& name) {

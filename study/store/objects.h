@@ -12,13 +12,10 @@ inline constexpr const char* kObjectsFolder = "objects";
 /// The hash of the file's bytes, in hex.
 std::string hash_file(const std::filesystem::path& file);
 
-/// Keeps a copy (a hard link where the file system has them) of `file` in `folder`/objects; returns its name there,
+/// Keeps a copy of `file` in `folder`/objects; returns its name there,
 /// "objects/ab/cdef....exr". It is on the disk and under that name when this returns. Error{environment} when it cannot
 /// be written; then nothing has changed.
 std::string keep_object(const std::filesystem::path& folder, const std::filesystem::path& file);
-
-/// Puts a hard link (else a copy) of an object at `to`, whose folder must exist.
-void link_object(const std::filesystem::path& object, const std::filesystem::path& to);
 
 /// Whether `name` reads like that of an object.
 bool is_object_name(const std::string& name);

@@ -9,7 +9,6 @@
 #include <sys/file.h>
 #include <unistd.h>
 
-
 namespace umbrameter {
 
 namespace fs = std::filesystem;
@@ -40,7 +39,8 @@ FROM entries WHERE kind = 'run' AND json_valid(json);
 /// Held while this lives; the kernel lets go when the process dies.
 class FolderLock {
  public:
-  explicit FolderLock(const fs::path& file) : descriptor_(open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {
+  explicit FolderLock(const fs::path& file)
+      : descriptor_(open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {
     if (descriptor_ >= 0) flock(descriptor_, LOCK_EX);
   }
   ~FolderLock() {
@@ -104,9 +104,10 @@ void repair_if_damaged(const fs::path& folder, std::vector<std::string>& warning
     insert.step();
   }
   transaction.commit();
-  warnings.push_back(fmt::format("the store '{}' was damaged: {} entries could be read and are kept, the rest is made "
-                                 "again; the damaged file is '{}'",
-                                 file.string(), saved.size(), aside.string()));
+  warnings.push_back(
+      fmt::format("the store '{}' was damaged: {} entries could be read and are kept, the rest is made "
+                  "again; the damaged file is '{}'",
+                  file.string(), saved.size(), aside.string()));
 }
 
 }  // namespace umbrameter
