@@ -138,9 +138,12 @@ void check_output(const std::filesystem::path& out) {
 }
 
 void publish(const std::filesystem::path& staged, const std::filesystem::path& out) {
-  if (std::filesystem::exists(out / "images")) rename_into_place(out / "images", staged / "old-images");
-  for (const char* name : {"images", "results.json", "report.html"})
-    rename_into_place(staged / name, out / name);
+  for (const std::string name : {"images", "report-data"}) {
+    if (std::filesystem::exists(out / name)) rename_into_place(out / name, staged / ("old-" + name));
+  }
+  for (const char* name : {"images", "results.json", "report-data", "report.html"}) {
+    if (std::filesystem::exists(staged / name)) rename_into_place(staged / name, out / name);
+  }
 }
 
 int verdict(const Results& results) {

@@ -2,14 +2,18 @@
 
 #include "core/files.h"
 #include "report/assets.h"
+#include "report/facts.h"
 #include "report/html.h"
+#include "report/page_data.h"
 #include "report/scene_section.h"
+#include "report/summary.h"
 #include "report/table.h"
 #include "study/pictures.h"
 #include "study/results_json.h"
 
 #include <fmt/format.h>
 
+#include <limits>
 #include <set>
 
 namespace umbrameter {
@@ -76,37 +80,51 @@ std::string context(const Results& results) {
                      results.samples_per_pixel, target, results.seed, devices(results));
 }
 
-std::string verdict(const Results& results) {
-  std::string html;
-  for (const Failure& failure : all_failures(results)) {
-    html += fmt::format("<p class=\"problem\">Failed: {}</p>", escape_html(failure.message));
+/// Scripts in the order in which they need each other.
+std::string scripts() {
+  std::string text;
+  for (const char* name : {"planes.js", "noise.js", "layers.js", "viewer.js", "viewer_draw.js",
+                           "viewer_keys.js", "profile.js", "charts.js", "sweeps.js", "table.js", "page.js"}) {
+    text += report_asset(name);
   }
-  if (!parity_passes(results)) {
-    html +=
-        "<p class=\"problem\">The two renderers disagree on at least one scene; its numbers are void.</p>";
-  }
-  return html;
+  return text;
 }
 
 }  // namespace
 
-std::string report_html(const Results& results, const std::filesystem::path& folder) {
+std::string report_html(const Results& results, const std::filesystem::path& folder, PlaneStore& store) {
+  const std::string data = page_data(results, folder, store);
   std::string scenes;
-  for (size_t i = 0; i < results.scenes.size(); ++i) scenes += scene_section(results, i, folder);
-  return fill_template(report_asset("page.html"), {{"style", std::string(report_asset("page.css"))},
-                                                   {"script", std::string(report_asset("page.js"))},
+  for (size_t i = 0; i < results.scenes.size(); ++i) scenes += scene_section(results, i);
+  return fill_template(report_asset("page.html"), {{"file_scripts", store.has_files() ? " file:" : ""},
+                                                   {"style", std::string(report_asset("page.css"))},
+                                                   {"chart", std::string(report_asset("chart.min.js"))},
+                                                   {"script", scripts()},
                                                    {"context", escape_html(context(results))},
-                                                   {"verdict", verdict(results)},
+                                                   {"verdict", summary_verdicts(results)},
                                                    {"rows", summary_rows(results)},
                                                    {"legend", legend()},
                                                    {"skipped", skipped_list(results)},
+                                                   {"data", data},
+                                                   {"planes", store.blocks()},
                                                    {"scenes", scenes}});
 }
 
-void write_report(const std::filesystem::path& folder, const std::filesystem::path& html_file) {
+std::string report_html(const Results& results, const std::filesystem::path& folder) {
+  PlaneStore store({}, std::numeric_limits<size_t>::max());
+  return report_html(results, folder, store);
+}
+
+void write_report(const std::filesystem::path& folder, const std::filesystem::path& html_file,
+                  size_t budget_bytes) {
   const std::filesystem::path results_file = folder / "results.json";
   const Results results = parse_results(read_file(results_file), results_file.string());
-  write_file_atomically(html_file, report_html(results, folder));
+  PlaneStore store(data_folder(html_file), budget_bytes);
+  write_file_atomically(html_file, report_html(results, folder, store));
+}
+
+std::filesystem::path data_folder(const std::filesystem::path& html_file) {
+  return html_file.parent_path() / (html_file.stem().string() + "-data");
 }
 
 }  // namespace umbrameter

@@ -1,6 +1,8 @@
 #pragma once
-// A results folder -> one HTML file that needs no network: pictures are inside, numbers carry their context.
+// A results folder -> one HTML file that needs no network: pictures are inside, numbers carry their context. Only what
+// would make it too large to open lies beside it.
 
+#include "report/plane_store.h"
 #include "study/results.h"
 
 #include <filesystem>
@@ -8,12 +10,16 @@
 
 namespace umbrameter {
 
-/// The page of `results`, whose picture files lie in `folder`. Error{input} when one is missing. Every number
-/// in the table has its full precision in a data-value attribute.
+/// The page of `results`, whose picture files lie in `folder`, with all pixels inside. Error{input} when one is
+/// missing. Every number in the table has its full precision in a data-value attribute.
 std::string report_html(const Results& results, const std::filesystem::path& folder);
 
-/// Reads `folder`/results.json and writes `html_file` atomically. Error{input} for a missing or malformed
-/// one.
-void write_report(const std::filesystem::path& folder, const std::filesystem::path& html_file);
+/// Reads `folder`/results.json and writes `html_file` atomically; pixels beyond the budget go to data_folder(html_file)
+/// before it. Error{input} for a missing or malformed one.
+void write_report(const std::filesystem::path& folder, const std::filesystem::path& html_file,
+                  size_t budget_bytes = kPageBudget_bytes);
+
+/// report.html -> report-data.
+std::filesystem::path data_folder(const std::filesystem::path& html_file);
 
 }  // namespace umbrameter

@@ -1,16 +1,13 @@
 #pragma once
-// One scene of the report: its pictures, each with the context that made it.
+// One scene of the report: what it is, the place of its pictures, and every run's numbers.
 
 #include "study/results.h"
 
-#include <filesystem>
 #include <string>
 
 namespace umbrameter {
 
-std::string scene_section(const Results& results, size_t scene_index, const std::filesystem::path& folder);
-
-/// <li> items, escaped.
-std::string list_items(const std::vector<std::string>& texts);
+/// The pictures themselves come from the page's planes (report/page_data.h).
+std::string scene_section(const Results& results, size_t scene_index);
 
 }  // namespace umbrameter

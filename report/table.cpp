@@ -3,8 +3,11 @@
 #include "report/html.h"
 #include "study/diagnosis_format.h"
 #include "study/format.h"
+#include "study/judgement_format.h"
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace umbrameter {
 namespace {
@@ -38,6 +41,20 @@ std::string error_cells(const VisibilityError& error) {
          number_cell("penumbra_share", error.penumbra.share, format_share(error.penumbra.share));
 }
 
+std::string verdict_cell(const Judgement& judgement) {
+  std::string text = judgement.verdict ? format_verdict(judgement.verdict) : "";
+  if (judgement.limit) text += (text.empty() ? "limit: " : "; limit: ") + format_limit(*judgement.limit);
+  return fmt::format("<td data-column=\"verdict\">{}</td>",
+                     escape_html(text.empty() ? kNotApplicable : text));
+}
+
+std::string wrong_cell(const std::optional<SignificanceNumbers>& numbers) {
+  if (!numbers || numbers->tested == 0) return number_cell("wrong_pixels", std::nullopt, kNotApplicable);
+  const size_t wrong = numbers->too_dark + numbers->too_bright;
+  return number_cell("wrong_pixels", static_cast<double>(wrong),
+                     format_share(static_cast<double>(wrong) / static_cast<double>(numbers->tested)));
+}
+
 std::string missing_cells(const SceneResult& scene, const TechniqueResult& run) {
   std::string reason = "not compared";
   if (run.failure)
@@ -46,19 +63,23 @@ std::string missing_cells(const SceneResult& scene, const TechniqueResult& run) 
     reason = "void: parity fails";
   else if (scene.failure)
     reason = scene.failure->message;
-  return fmt::format("<td colspan=\"7\" class=\"problem\">{}</td>", escape_html(reason));
+  return fmt::format("<td colspan=\"9\" class=\"problem\">{}</td>", escape_html(reason));
 }
 
-std::string row(const SceneResult& scene, const std::string& anchor, const TechniqueResult& run) {
+std::string row(const SceneResult& scene, size_t scene_index, size_t run_index) {
+  const TechniqueResult& run = scene.techniques[run_index];
   const auto total = total_time(run.pass_times);
   const auto total_ms = total ? std::optional(total->median_ms) : std::nullopt;
   const auto memory =
       run.memory_bytes > 0 ? std::optional(static_cast<double>(run.memory_bytes)) : std::nullopt;
   return fmt::format(
              "<tr data-scene=\"{0}\" data-technique=\"{1}\"><th scope=\"row\"><a "
-             "href=\"#{2}\">{0}</a></th><td>{1}</td>",
-             escape_html(scene.name), escape_html(run.label), anchor) +
-         (run.error ? error_cells(*run.error) + fault_cell(run.diagnosis) : missing_cells(scene, run)) +
+             "href=\"#{2}\">{0}</a></th><td><a href=\"#{3}\">{1}</a></td>",
+             escape_html(scene.name), escape_html(run.label), scene_anchor(scene_index),
+             run_anchor(scene_index, run_index)) +
+         (run.error ? error_cells(*run.error) + fault_cell(run.diagnosis) +
+                          wrong_cell(run.judgement.significance) + verdict_cell(run.judgement)
+                    : missing_cells(scene, run)) +
          number_cell("total_ms", total_ms, format_time(total)) +
          number_cell("memory_bytes", memory, memory ? format_bytes(run.memory_bytes) : kNotApplicable) +
          "</tr>\n";
@@ -70,12 +91,20 @@ std::string scene_anchor(size_t scene_index) {
   return fmt::format("scene-{}", scene_index + 1);
 }
 
+std::string run_anchor(size_t scene_index, size_t run_index) {
+  return fmt::format("{}-run-{}", scene_anchor(scene_index), run_index + 1);
+}
+
+std::string format_limit(const LimitNumbers& limit) {
+  std::string text(name_of(limit.outcome));
+  std::ranges::replace(text, '_', ' ');
+  return text;
+}
+
 std::string summary_rows(const Results& results) {
   std::string rows;
   for (size_t i = 0; i < results.scenes.size(); ++i) {
-    for (const TechniqueResult& run : results.scenes[i].techniques) {
-      rows += row(results.scenes[i], scene_anchor(i), run);
-    }
+    for (size_t k = 0; k < results.scenes[i].techniques.size(); ++k) rows += row(results.scenes[i], i, k);
   }
   return rows;
 }

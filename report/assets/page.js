@@ -1,52 +1,65 @@
-"use strict";
+// Theme, links into the page, and viewers that are made when they come into sight.
 
-// The cell that stands in column `index`, counting columns that a spanning cell covers.
-function cellAt(row, index) {
-  let column = 0;
-  for (const cell of row.cells) {
-    column += cell.colSpan;
-    if (index < column) return cell.colSpan > 1 ? null : cell;
-  }
-  return null;
-}
+let isDark = matchMedia("(prefers-color-scheme: dark)").matches;
 
-function sortKey(row, index, kind) {
-  const cell = cellAt(row, index);
-  if (kind === "text") return cell.textContent;
-  return cell && cell.dataset.value !== "" ? Number(cell.dataset.value) : null;
-}
-
-// Absent values stay last in both directions.
-function compareKeys(a, b, direction) {
-  if (a === null || b === null) return (a === null) - (b === null);
-  return direction * (typeof a === "string" ? a.localeCompare(b, "en", {numeric: true}) : a - b);
-}
-
-function sortTable(table, header) {
-  const ascending = header.getAttribute("aria-sort") !== "ascending";
-  for (const other of table.tHead.rows[0].cells) other.removeAttribute("aria-sort");
-  header.setAttribute("aria-sort", ascending ? "ascending" : "descending");
-  const body = table.tBodies[0];
-  const keyed = Array.from(body.rows, row => ({row, key: sortKey(row, header.cellIndex, header.dataset.sort)}));
-  keyed.sort((a, b) => compareKeys(a.key, b.key, ascending ? 1 : -1));
-  body.append(...keyed.map(item => item.row));
-}
-
-function applyTheme(button, isDark) {
+function applyTheme() {
+  const button = document.getElementById("theme");
   document.documentElement.dataset.theme = isDark ? "dark" : "light";
   button.textContent = isDark ? "Light" : "Dark";
   button.setAttribute("aria-pressed", String(isDark));
+  for (const owner of sweepCharts) drawSweep(owner);
+  for (const viewer of viewers.values()) {
+    if (!viewer.shown) continue;
+    draw(viewer);
+    drawSceneCharts(viewer);
+  }
 }
 
-const table = document.getElementById("results");
-for (const header of table.tHead.rows[0].cells) {
-  header.querySelector("button").addEventListener("click", () => sortTable(table, header));
-}
-
-const themeButton = document.getElementById("theme");
-let isDark = matchMedia("(prefers-color-scheme: dark)").matches;
-applyTheme(themeButton, isDark);
-themeButton.addEventListener("click", () => {
+function toggleTheme() {
   isDark = !isDark;
-  applyTheme(themeButton, isDark);
-});
+  applyTheme();
+}
+
+// #scene-2-run-3 shows that run, with its numbers unfolded.
+function followLink() {
+  const match = /^#scene-(\d+)-run-(\d+)$/.exec(location.hash);
+  if (!match) return;
+  const [scene, run] = [Number(match[1]) - 1, Number(match[2]) - 1];
+  const numbers = document.getElementById(location.hash.slice(1));
+  if (numbers) numbers.open = true;
+  const viewer = makeViewer(scene);
+  if (!viewer?.entry.runs[run]) return;
+  show(viewer, run, viewer.otherIndex);
+  viewer.root.scrollIntoView({block: "start"});
+  viewer.root.focus({preventScroll: true});
+}
+
+function onPageKey(event) {
+  if (event.ctrlKey || event.metaKey || event.altKey || event.target.closest("input, select")) return;
+  const actions = {t: toggleTheme, "?": () => document.getElementById("keys").showModal(), "/": () => document.getElementById("filter").focus()};
+  if (!actions[event.key]) return;
+  event.preventDefault();
+  actions[event.key]();
+}
+
+function start() {
+  listenToTable(document.getElementById("results"));
+  makeSweeps();
+  applyTheme();
+  document.getElementById("theme").addEventListener("click", toggleTheme);
+  document.getElementById("show-keys").addEventListener("click", () => document.getElementById("keys").showModal());
+  document.addEventListener("keydown", onPageKey);
+  const kAhead = "300px";
+  const watcher = new IntersectionObserver(entries => {
+    for (const entry of entries) {
+      if (!entry.isIntersecting) continue;
+      watcher.unobserve(entry.target);
+      makeViewer(Number(entry.target.dataset.scene));
+    }
+  }, {rootMargin: kAhead});
+  for (const stage of document.querySelectorAll(".stage")) watcher.observe(stage);
+  window.addEventListener("hashchange", followLink);
+  followLink();
+}
+
+start();

@@ -1,0 +1,161 @@
+// Plots (Chart.js). Every plot's numbers are also in the table or among the runs' numbers.
+
+function themeColours() {
+  const style = getComputedStyle(document.documentElement);
+  const colour = name => style.getPropertyValue("--" + name).trim();
+  return {ink: colour("ink"), quiet: colour("quiet"), line: colour("line"), second: colour("plot-2"), third: colour("plot-3"), band: colour("band")};
+}
+
+function axis(title, more) {
+  const colours = themeColours();
+  return {title: {display: true, text: title, color: colours.ink}, grid: {color: colours.line}, ticks: {color: colours.quiet}, ...more};
+}
+
+// Bars of a point's low..high in x and y.
+const intervalBars = {
+  id: "intervalBars",
+  beforeDatasetsDraw(chart) {
+    const {ctx, scales: {x, y}} = chart;
+    chart.data.datasets.forEach(set => set.data.forEach(point => {
+      if (!point?.bars) return;
+      const [x0, x1, y0, y1] = [x.getPixelForValue(point.bars.x[0]), x.getPixelForValue(point.bars.x[1]),
+                                y.getPixelForValue(point.bars.y[0]), y.getPixelForValue(point.bars.y[1])];
+      const xm = x.getPixelForValue(point.x), ym = y.getPixelForValue(point.y);
+      ctx.strokeStyle = set.borderColor;
+      ctx.lineWidth = 1;
+      ctx.beginPath();
+      ctx.moveTo(x0, ym);
+      ctx.lineTo(x1, ym);
+      ctx.moveTo(xm, y0);
+      ctx.lineTo(xm, y1);
+      ctx.stroke();
+    }));
+  },
+};
+
+// The safe window of a bias sweep, shaded.
+const safeWindow = {
+  id: "safeWindow",
+  beforeDatasetsDraw(chart) {
+    const range = chart.options.safeRange;
+    if (!range) return;
+    const {ctx, chartArea, scales: {x}} = chart;
+    const left = x.getPixelForValue(range[0]), right = x.getPixelForValue(range[1]);
+    ctx.fillStyle = themeColours().band;
+    ctx.fillRect(left, chartArea.top, Math.max(right - left, 2), chartArea.bottom - chartArea.top);
+  },
+};
+
+function chartOptions(given) {
+  const legend = {labels: {color: themeColours().ink, filter: item => item.text !== ""}};
+  return {animation: false, responsive: true, maintainAspectRatio: false, ...given,
+          plugins: {legend, ...given.plugins, tooltip: {filter: item => !item.dataset.isQuiet, ...given.plugins?.tooltip}}};
+}
+
+// Makes `role`'s plot, or gives it new numbers. `owner` has root and charts.
+function putChart(owner, role, config) {
+  const old = owner.charts[role];
+  if (old) {
+    old.data = config.data;
+    old.options = chartOptions(config.options);
+    old.update("none");
+    return;
+  }
+  const canvas = owner.root.querySelector(`canvas[data-role="${role}"]`);
+  owner.charts[role] = new Chart(canvas, {...config, options: chartOptions(config.options), plugins: [intervalBars, safeWindow]});
+}
+
+function timePoint(run, index) {
+  const total = run.pass_times.at(-1), rmse = run.error?.rmse;
+  if (!total || !rmse) return null;
+  return {x: total.median_ms, y: rmse.value, label: run.label, run: index,
+          bars: {x: [total.median_ms - total.mad_ms, total.median_ms + total.mad_ms], y: [rmse.low, rmse.high]}};
+}
+
+// Dominated: another's intervals of time and RMSE both lie below its own.
+function isDominated(point, all) {
+  return all.some(other => other.bars.x[1] < point.bars.x[0] && other.bars.y[1] < point.bars.y[0]);
+}
+
+function drawTimes(viewer) {
+  const points = viewer.scene.techniques.map(timePoint).filter(point => point);
+  part(viewer, "times-box").hidden = points.length === 0;
+  const colours = themeColours();
+  const front = points.filter(point => !isDominated(point, points)).sort((a, b) => a.x - b.x);
+  const rest = points.filter(point => isDominated(point, points));
+  const set = (label, data, style) => ({label, data, pointRadius: data.map(point => point.run === viewer.runIndex ? 8 : 5), ...style});
+  viewer.front = front.map(point => point.label);
+  putChart(viewer, "times", {
+    type: "scatter",
+    data: {datasets: [
+      set("front", front, {borderColor: colours.second, backgroundColor: colours.second, pointStyle: "circle"}),
+      set("dominated", rest, {borderColor: colours.quiet, backgroundColor: "transparent", pointStyle: "rectRot"}),
+    ]},
+    options: {
+      scales: {x: axis("time of a frame, ms", {type: "logarithmic"}), y: axis("RMSE of V")},
+      onClick: (event, hits, chart) => { if (hits[0]) show(viewer, chart.data.datasets[hits[0].datasetIndex].data[hits[0].index].run, viewer.otherIndex); },
+      plugins: {tooltip: {callbacks: {label: item => `${item.raw.label}: ${item.raw.x.toPrecision(3)} ms, RMSE ${item.raw.y.toFixed(5)}`}}},
+    },
+  });
+}
+
+function drawHardening(viewer) {
+  const entry = viewer.entry.runs[viewer.runIndex], hardening = viewer.scene.techniques[viewer.runIndex].contact_hardening;
+  const box = part(viewer, "hardening-box");
+  box.hidden = entry.widths.length === 0;
+  if (box.hidden) return;
+  const colours = themeColours(), widths = entry.widths, low = widths[0][0], high = widths.at(-1)[0];
+  const middle = Math.log2(widths[widths.length >> 1][0]);
+  const fitted = x => 2 ** (middle + hardening.intercept_octaves + hardening.slope * (Math.log2(x) - middle));
+  const line = (label, of, style) => ({type: "line", label, data: [low, high].map(x => ({x, y: of(x)})), pointRadius: 0, ...style});
+  const sets = [{label: `profiles (${widths.length} of ${entry.profiles})`, data: widths.map(([x, y]) => ({x, y})), borderColor: colours.second, pointRadius: 2},
+                line("right", x => x, {borderColor: colours.ink, borderWidth: 1, borderDash: [4, 4]})];
+  if (hardening.identifiable) sets.push(line(`slope ${hardening.slope.toFixed(2)}`, fitted, {borderColor: colours.third, borderWidth: 2}));
+  putChart(viewer, "hardening", {type: "scatter", data: {datasets: sets}, options: {
+    scales: {x: axis("true penumbra width, world units", {type: "logarithmic"}), y: axis("the technique's", {type: "logarithmic"})}}});
+}
+
+function binLabel(bins, k) {
+  if (bins[k].from_px === null) return "no map";
+  const to = bins[k + 1]?.from_px;
+  return to === null || to === undefined ? `${bins[k].from_px} px and more` : `${bins[k].from_px} to ${to} px`;
+}
+
+function drawCauses(viewer) {
+  const {faults, causes} = viewer.scene.techniques[viewer.runIndex];
+  part(viewer, "causes-box").hidden = !faults;
+  if (!faults) return;
+  const classes = palette.faults.filter(fault => fault.name !== "unscored" && faults.classes[fault.name].mean_abs_error > 0);
+  const bins = causes.by_footprint.map((bin, k) => ({label: "texel " + binLabel(causes.by_footprint, k), value: bin.mean_abs_error})).filter(bin => bin.value > 0);
+  const colours = themeColours();
+  const bars = [...classes.map(fault => ({label: fault.name.replaceAll("_", " "), value: faults.classes[fault.name].mean_abs_error, colour: `rgb(${fault.colour})`})),
+                ...bins.map(bin => ({...bin, colour: colours.quiet}))];
+  putChart(viewer, "causes", {
+    type: "bar",
+    data: {labels: bars.map(bar => bar.label), datasets: [{label: "", data: bars.map(bar => bar.value), backgroundColor: bars.map(bar => bar.colour), borderColor: colours.ink, borderWidth: 1}]},
+    options: {indexAxis: "y", scales: {x: axis("part of mean |V - R|"), y: axis("")}},
+  });
+}
+
+function drawTemporal(viewer) {
+  const runs = viewer.scene.techniques.filter(run => run.temporal);
+  part(viewer, "temporal-box").hidden = runs.length === 0;
+  if (runs.length === 0) return;
+  const colours = themeColours();
+  const set = (label, of, colour) => ({label, data: runs.map(of), backgroundColor: colour});
+  putChart(viewer, "temporal", {
+    type: "bar",
+    data: {labels: runs.map(run => run.label), datasets: [
+      set("flicker beyond the truth's, moving camera", run => run.temporal.camera.excess, colours.second),
+      set("change of error, moving light", run => run.temporal.light.rms, colours.third),
+      set("spread over seeds", run => run.temporal.seed_noise, colours.quiet)]},
+    options: {scales: {x: axis(""), y: axis("visibility")}},
+  });
+}
+
+function drawSceneCharts(viewer) {
+  drawTimes(viewer);
+  drawHardening(viewer);
+  drawCauses(viewer);
+  drawTemporal(viewer);
+}

@@ -1,0 +1,69 @@
+"use strict";
+// The page's numbers and pixels. Pixels stay packed (report/plane_code.h) until someone looks at them.
+
+const page = JSON.parse(document.getElementById("report-data").textContent);
+const results = page.results;
+
+// Packed planes from a script file beside the page: their promises' resolvers by id.
+const awaitedFiles = new Map();
+window.take_planes = (id, planes) => {
+  awaitedFiles.get(id)?.resolve(planes);
+  awaitedFiles.delete(id);
+};
+
+function packedPlanes(id) {
+  const block = document.getElementById(id);
+  if (block) return Promise.resolve(JSON.parse(block.textContent));
+  return new Promise((resolve, reject) => {
+    awaitedFiles.set(id, {resolve});
+    const script = document.createElement("script");
+    script.src = encodeURIComponent(page.data_folder) + "/" + id + ".js";
+    script.onerror = () => reject(new Error(`${page.data_folder}/${id}.js is missing; keep that folder beside this page`));
+    document.head.append(script);
+  });
+}
+
+async function inflate(base64) {
+  const bytes = Uint8Array.from(atob(base64), letter => letter.charCodeAt(0));
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
+  return new Uint8Array(await new Response(stream).arrayBuffer());
+}
+
+function halfToNumber(half) {
+  const exponent = half >> 10, mantissa = half & 1023;
+  if (exponent === 31) return Infinity;
+  return exponent === 0 ? mantissa * 2 ** -24 : (1 + mantissa / 1024) * 2 ** (exponent - 15);
+}
+
+function decodeWords(bytes, code) {
+  const values = new Float32Array(bytes.length / 2);
+  let word = 0;
+  for (let i = 0; i < values.length; ++i) {
+    const stored = bytes[2 * i] | bytes[2 * i + 1] << 8;
+    word = code.delta ? word + (stored >> 1 ^ -(stored & 1)) & 0xFFFF : stored;
+    values[i] = code.step === 0 ? halfToNumber(word) : code.low + code.step * word;
+  }
+  return values;
+}
+
+// {name: Float32Array, or Uint8Array of classes} of a scene or run of page.scenes.
+async function decodePlanes(entry) {
+  const packed = await packedPlanes(entry.id);
+  const names = Object.keys(entry.planes);
+  const planes = await Promise.all(names.map(async name => {
+    const bytes = await inflate(packed[name]);
+    return entry.planes[name].bytes ? bytes : decodeWords(bytes, entry.planes[name]);
+  }));
+  return Object.fromEntries(names.map((name, k) => [name, planes[k]]));
+}
+
+// Decoded planes of the runs looked at last; a scene's own stay as long as its viewer.
+const kKeptRuns = 6;
+const keptRuns = new Map();
+function runPlanes(entry) {
+  const planes = keptRuns.get(entry.id) ?? decodePlanes(entry);
+  keptRuns.delete(entry.id);
+  keptRuns.set(entry.id, planes);
+  if (keptRuns.size > kKeptRuns) keptRuns.delete(keptRuns.keys().next().value);
+  return planes;
+}

@@ -1,0 +1,118 @@
+#include "report/scene_planes.h"
+
+#include "core/image_io.h"
+#include "report/plane_code.h"
+#include "study/picture_classes.h"
+#include "study/width_pairs.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace umbrameter {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr size_t kMostWidthPairs = 256;  // of a run; a plot of more is a blot
+
+/// Planes on their way into the store, with how to read them.
+struct Parcel {
+  PackedPlanes planes;
+  Json codes = Json::object();
+
+  void add(const std::string& name, std::span<const float> values, const PlaneCode& code) {
+    planes[name] = pack_plane(values, code);
+    codes[name] = {{"low", code.low}, {"step", code.step}, {"delta", code.is_delta}};
+  }
+  void add(const std::string& name, std::span<const uint8_t> bytes) {
+    planes[name] = pack_bytes(bytes);
+    codes[name] = {{"bytes", true}};
+  }
+};
+
+template <class Class>
+std::vector<uint8_t> bytes_of(const std::vector<Class>& classes) {
+  std::vector<uint8_t> bytes;
+  for (const Class item : classes) bytes.push_back(static_cast<uint8_t>(item));
+  return bytes;
+}
+
+std::vector<uint8_t> hit_pixels(const Image& image) {
+  std::vector<uint8_t> hit(image.pixel_count(), 1);
+  if (!image.has("primitive_id")) return hit;
+  const auto primitive = image.plane("primitive_id");
+  for (size_t i = 0; i < hit.size(); ++i) hit[i] = primitive[i] < 0.0f ? 0 : 1;
+  return hit;
+}
+
+Parcel reference_parcel(const Image& reference, const SceneResult& scene,
+                        const std::filesystem::path& folder) {
+  Parcel parcel;
+  parcel.add("visibility", reference.plane("visibility"), kReferenceVisibilityCode);
+  parcel.add("hit", hit_pixels(reference));
+  for (const char* name : {"visibility_se", "blocker_distance"}) {
+    if (reference.has(name)) parcel.add(name, reference.plane(name), kHalfCode);
+  }
+  for (const char* name : {"position.x", "position.y", "position.z"}) {
+    if (reference.has(name)) parcel.add(name, reference.plane(name), range_code(reference.plane(name)));
+  }
+  if (scene.parity && !scene.parity->picture_file.empty()) {
+    parcel.add("parity", bytes_of(read_parity_picture(folder / scene.parity->picture_file)));
+  }
+  return parcel;
+}
+
+/// Evenly picked from those sorted by width.
+Json widths_json(const std::vector<WidthPair>& pairs) {
+  Json list = Json::array();
+  const size_t count = std::min(pairs.size(), kMostWidthPairs);
+  const auto rounded = [](double width) { return std::stod(fmt::format("{:.4g}", width)); };
+  for (size_t k = 0; k < count; ++k) {
+    const WidthPair& pair = pairs[count == 1 ? 0 : k * (pairs.size() - 1) / (count - 1)];
+    list.push_back({rounded(pair.reference_world), rounded(pair.test_world)});
+  }
+  return list;
+}
+
+Json add_run(const TechniqueResult& run, const std::string& id, const Image& reference,
+             const std::filesystem::path& folder, PlaneStore& store) {
+  if (run.picture_file.empty()) return nullptr;
+  const Image image = read_image(folder / run.image_file);
+  require_same_size(image, reference, run.image_file);
+  Parcel parcel;
+  parcel.add("visibility", image.plane("visibility"), kTestVisibilityCode);
+  std::vector<WidthPair> pairs;
+  if (!run.error_picture_file.empty()) {
+    const std::vector<uint8_t> scored = read_scored_pixels(folder / run.error_picture_file);
+    parcel.add("scored", scored);
+    if (run.diagnosis) pairs = measure_width_pairs(image, reference, scored);
+  }
+  if (!run.fault_picture_file.empty()) {
+    parcel.add("faults", bytes_of(read_fault_picture(folder / run.fault_picture_file)));
+  }
+  store.add(id, parcel.planes);
+  return {{"id", id}, {"planes", parcel.codes}, {"widths", widths_json(pairs)}, {"profiles", pairs.size()}};
+}
+
+}  // namespace
+
+Json add_scene_planes(const SceneResult& scene, size_t scene_index, const std::filesystem::path& folder,
+                      PlaneStore& store) {
+  if (!scene.reference) return nullptr;
+  const Image reference = read_image(folder / scene.reference->image_file);
+  const Parcel parcel = reference_parcel(reference, scene, folder);
+  const std::string id = fmt::format("s{}", scene_index);
+  store.add(id, parcel.planes);
+  Json runs = Json::array();
+  for (const TechniqueResult& run : scene.techniques) {
+    runs.push_back(add_run(run, fmt::format("{}-r{}", id, runs.size()), reference, folder, store));
+  }
+  return {{"id", id},
+          {"width", reference.width},
+          {"height", reference.height},
+          {"planes", parcel.codes},
+          {"runs", runs}};
+}
+
+}  // namespace umbrameter
