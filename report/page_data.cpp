@@ -20,10 +20,14 @@ Json palette_json() {
   for (const ParityLegend& entry : parity_legend()) {
     parity.push_back({{"colour", entry.colour}, {"text", entry.text}});
   }
-  return {{"error_scale", kSignedErrorScale},   {"too_dark", kTooDarkColour},
-          {"no_error", kNoErrorColour},         {"too_bright", kTooBrightColour},
-          {"background", kBackgroundColour},    {"unscored", kUnscoredColour},
-          {"faults", faults},                   {"parity", parity}};
+  return {{"error_scale", kSignedErrorScale},
+          {"too_dark", kTooDarkColour},
+          {"no_error", kNoErrorColour},
+          {"too_bright", kTooBrightColour},
+          {"background", kBackgroundColour},
+          {"unscored", kUnscoredColour},
+          {"faults", faults},
+          {"parity", parity}};
 }
 
 }  // namespace

@@ -48,7 +48,8 @@ uint16_t to_half(float value) {
   const auto x = static_cast<double>(value);
   if (x >= kInfinityFrom) return kInfinity;
   const int exponent = std::max(std::ilogb(x), kSmallestExponent);
-  const auto mantissa = static_cast<int>(std::nearbyint(std::ldexp(x, 10 - exponent)));  // 1024 to 2048, or subnormal
+  const auto mantissa =
+      static_cast<int>(std::nearbyint(std::ldexp(x, 10 - exponent)));  // 1024 to 2048, or subnormal
   return static_cast<uint16_t>(((exponent - kSmallestExponent) << 10) + mantissa);
 }
 

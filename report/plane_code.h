@@ -12,7 +12,7 @@ namespace umbrameter {
 /// Which value a stored word stands for: low + step x word, or a half float.
 struct PlaneCode {
   double low = 0.0;
-  double step = 0.0;  // 0: half float
+  double step = 0.0;      // 0: half float
   bool is_delta = false;  // words are stored as zigzag differences to the word before
 };
 

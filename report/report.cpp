@@ -5,6 +5,7 @@
 #include "report/facts.h"
 #include "report/html.h"
 #include "report/page_data.h"
+#include "report/plane_code.h"
 #include "report/scene_section.h"
 #include "report/summary.h"
 #include "report/table.h"
@@ -28,6 +29,16 @@ std::string swatch(const Rgb8& colour, std::string_view text) {
                      escape_html(text));
 }
 
+std::string quantisation() {
+  return fmt::format(
+      "<p>Pixels inside this page: V in steps of 1/{:.0f}, R of 1/{:.0f}, standard error and blocker "
+      "distance as half "
+      "floats (11 bits), positions in 65535 steps over their range. Read-outs, maps, profiles and z are of "
+      "these; every other "
+      "number is that of results.json.</p>",
+      1.0 / kTestVisibilityCode.step, 1.0 / kReferenceVisibilityCode.step);
+}
+
 std::string legend() {
   const std::string ramp = fmt::format("linear-gradient(to right,{},{},{})", css(kTooDarkColour),
                                        css(kNoErrorColour), css(kTooBrightColour));
@@ -45,7 +56,7 @@ std::string legend() {
   for (const ParityLegend& entry : parity_legend()) html += swatch(entry.colour, entry.text);
   html += "</ul><p>Faults:</p><ul class=\"swatches\">";
   for (const FaultLegend& entry : fault_legend()) html += swatch(entry.colour, entry.text);
-  return html + "</ul>";
+  return html + "</ul>" + quantisation();
 }
 
 std::string skipped_list(const Results& results) {

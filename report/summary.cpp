@@ -15,7 +15,8 @@ namespace {
 
 std::string counted(const std::map<std::string, size_t>& counts) {
   std::string text;
-  for (const auto& [what, count] : counts) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, what);
+  for (const auto& [what, count] : counts)
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, what);
   return text;
 }
 
@@ -49,11 +50,12 @@ const TechniqueResult* closest(const SceneResult& scene) {
 std::string scene_line(const SceneResult& scene, size_t index) {
   const TechniqueResult* best = closest(scene);
   const std::string verdict =
-      scene.failure                            ? "failed"
-      : scene.parity && !scene.parity->passes  ? "void: the two renderers disagree"
-      : best == nullptr                        ? "nothing compared"
-                                               : fmt::format("closest to the truth: {}, RMSE {}, worst fault {}", best->label,
-                                 format_interval(best->error->rmse), format_worst_fault(best->diagnosis));
+      scene.failure                           ? "failed"
+      : scene.parity && !scene.parity->passes ? "void: the two renderers disagree"
+      : best == nullptr
+          ? "nothing compared"
+          : fmt::format("closest to the truth: {}, RMSE {}, worst fault {}", best->label,
+                        format_interval(best->error->rmse), format_worst_fault(best->diagnosis));
   return fmt::format("<li><a href=\"#{}\">{}</a>: {}</li>\n", scene_anchor(index), escape_html(scene.name),
                      escape_html(verdict));
 }

@@ -84,15 +84,16 @@ function drawTimes(viewer) {
   const front = points.filter(point => !isDominated(point, points)).sort((a, b) => a.x - b.x);
   const rest = points.filter(point => isDominated(point, points));
   const set = (label, data, style) => ({label, data, pointRadius: data.map(point => point.run === viewer.runIndex ? 8 : 5), ...style});
+  const lowest = Math.min(0, ...points.map(point => point.bars.y[0])), highest = Math.max(...points.map(point => point.bars.y[1]));
   viewer.front = front.map(point => point.label);
   putChart(viewer, "times", {
     type: "scatter",
     data: {datasets: [
-      set("front", front, {borderColor: colours.second, backgroundColor: colours.second, pointStyle: "circle"}),
+      set("front", front, {borderColor: colours.second, backgroundColor: colours.second, pointStyle: "circle", showLine: true, stepped: true, borderWidth: 1}),
       set("dominated", rest, {borderColor: colours.quiet, backgroundColor: "transparent", pointStyle: "rectRot"}),
     ]},
     options: {
-      scales: {x: axis("time of a frame, ms", {type: "logarithmic"}), y: axis("RMSE of V")},
+      scales: {x: axis("time of a frame, ms", {type: "logarithmic"}), y: axis("RMSE of V", {min: lowest, suggestedMax: highest})},
       onClick: (event, hits, chart) => { if (hits[0]) show(viewer, chart.data.datasets[hits[0].datasetIndex].data[hits[0].index].run, viewer.otherIndex); },
       plugins: {tooltip: {callbacks: {label: item => `${item.raw.label}: ${item.raw.x.toPrecision(3)} ms, RMSE ${item.raw.y.toFixed(5)}`}}},
     },
@@ -107,8 +108,8 @@ function drawHardening(viewer) {
   const colours = themeColours(), widths = entry.widths, low = widths[0][0], high = widths.at(-1)[0];
   const middle = Math.log2(widths[widths.length >> 1][0]);
   const fitted = x => 2 ** (middle + hardening.intercept_octaves + hardening.slope * (Math.log2(x) - middle));
-  const line = (label, of, style) => ({type: "line", label, data: [low, high].map(x => ({x, y: of(x)})), pointRadius: 0, ...style});
-  const sets = [{label: `profiles (${widths.length} of ${entry.profiles})`, data: widths.map(([x, y]) => ({x, y})), borderColor: colours.second, pointRadius: 2},
+  const line = (label, of, style) => ({type: "line", label, data: [low, high].map(x => ({x, y: of(x)})), pointRadius: 0, backgroundColor: "transparent", ...style});
+  const sets = [{label: `profiles (${widths.length} of ${entry.profiles})`, data: widths.map(([x, y]) => ({x, y})), borderColor: colours.second, backgroundColor: "transparent", pointRadius: 2},
                 line("right", x => x, {borderColor: colours.ink, borderWidth: 1, borderDash: [4, 4]})];
   if (hardening.identifiable) sets.push(line(`slope ${hardening.slope.toFixed(2)}`, fitted, {borderColor: colours.third, borderWidth: 2}));
   putChart(viewer, "hardening", {type: "scatter", data: {datasets: sets}, options: {
@@ -133,7 +134,7 @@ function drawCauses(viewer) {
   putChart(viewer, "causes", {
     type: "bar",
     data: {labels: bars.map(bar => bar.label), datasets: [{label: "", data: bars.map(bar => bar.value), backgroundColor: bars.map(bar => bar.colour), borderColor: colours.ink, borderWidth: 1}]},
-    options: {indexAxis: "y", scales: {x: axis("part of mean |V - R|"), y: axis("")}},
+    options: {indexAxis: "y", scales: {x: axis("part of mean |V - R|"), y: axis("", {ticks: {autoSkip: false, color: colours.quiet, font: {size: 10}}})}},
   });
 }
 

@@ -114,7 +114,7 @@ function drawProfile(viewer) {
   viewer.profile = profile;
   part(viewer, "profile-text").textContent = profileText(viewer, profile);
   const points = profile?.points ?? [], colours = themeColours();
-  const line = (label, of, style) => ({label, data: points.map(point => ({x: point.s, y: of(point)})), pointRadius: 0, borderWidth: 2, ...style});
+  const line = (label, of, style) => ({label, data: points.map(point => ({x: point.s, y: of(point)})), pointRadius: 0, borderWidth: 2, backgroundColor: "transparent", clip: 4, ...style});
   const band = side => line("", point => point.r + side * 1.96 * point.se, {borderWidth: 0, backgroundColor: colours.band, isQuiet: true});
   const sets = [
     line("R", point => point.r, {borderColor: colours.ink}),

@@ -10,7 +10,7 @@ function windowText(sweep) {
 
 function drawSweep(owner) {
   const {sweep} = owner, colours = themeColours();
-  const line = (label, values, style) => ({label, data: sweep.values.map((x, k) => ({x, y: values[k]})), borderWidth: 2, pointRadius: 2, ...style});
+  const line = (label, values, style) => ({label, data: sweep.values.map((x, k) => ({x, y: values[k]})), borderWidth: 2, pointRadius: 2, backgroundColor: "transparent", ...style});
   putChart(owner, "sweep", {
     type: "line",
     data: {datasets: [line("objective", sweep.objective, {borderColor: colours.ink}),

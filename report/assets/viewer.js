@@ -72,6 +72,18 @@ function farthest(distances) {
   return most;
 }
 
+// The pixel next to the middle that is halfway into a penumbra; the middle without any.
+function middlePenumbra(viewer, visibility) {
+  const {width, height} = viewer.entry;
+  let best = {x: width >> 1, y: height >> 1, distance: Infinity};
+  visibility.forEach((r, i) => {
+    if (Math.abs(r - 0.5) > 0.1) return;
+    const x = i % width, y = Math.floor(i / width), distance = Math.hypot(x - width / 2, y - height / 2);
+    if (distance < best.distance) best = {x, y, distance};
+  });
+  return {x: best.x, y: best.y};
+}
+
 // Decodes and shows a run beside the reference or another run; the last call wins.
 async function show(viewer, runIndex, otherIndex) {
   const request = ++viewer.request;
@@ -84,6 +96,7 @@ async function show(viewer, runIndex, otherIndex) {
     const run = await runPlanes(viewer.entry.runs[runIndex]);
     const other = otherIndex === kReference ? scene : await runPlanes(viewer.entry.runs[otherIndex]);
     if (request !== viewer.request) return;
+    viewer.cursor ??= middlePenumbra(viewer, scene.visibility);
     viewer.shown = {scene, run, other, isReference: otherIndex === kReference, farthestBlocker: farthest(scene.blocker_distance),
                     threshold: viewer.scene.techniques[runIndex].significance?.threshold_z ?? null};
   } catch (error) {
@@ -149,7 +162,7 @@ function makeViewer(sceneIndex) {
     root: stage.querySelector(".viewer"), entry, scene: results.scenes[sceneIndex], request: 0, runIndex: first,
     otherIndex: kReference, mode: "panes", layer: "error", isFlipped: false, divider: 0.5, overlays: new Set(),
     view: {x: entry.width / 2, y: entry.height / 2, zoom: 1},
-    cursor: {x: entry.width >> 1, y: entry.height >> 1}, shown: null, bitmaps: {}, planes: null, charts: {},
+    cursor: null, shown: null, bitmaps: {}, planes: null, charts: {},
   };
   viewers.set(sceneIndex, viewer);
   viewer.root.setAttribute("aria-label", `Pictures of ${viewer.scene.name}; press ? for keys`);

@@ -1,0 +1,140 @@
+#!/usr/bin/env python3
+"""browser.py PAGE STEPS.json PROFILE_FOLDER: opens PAGE in headless Chromium and takes the steps, real key presses included.
+
+A step is {"eval": JS}, {"key": "ArrowRight"}, {"size": [w, h]}, {"media": "print"}, {"dark": true} or {"screenshot": FILE}.
+`eval` may be a promise. Prints {"console": [...], "values": [of each eval], "load_ms": ...}. Talks to Chromium through a
+pipe, so no port and no library is needed.
+"""
+import base64
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import time
+
+SECONDS = 90  # for the whole visit
+
+
+class Browser:
+    def __init__(self, profile):
+        to_browser, self.writer = os.pipe()
+        self.reader, from_browser = os.pipe()
+        command = ["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
+                   "--remote-debugging-pipe", f"--user-data-dir={profile}", "about:blank"]
+
+        def place_pipes():  # Chromium reads from 3 and writes to 4
+            source, target = os.dup(to_browser), os.dup(from_browser)
+            os.dup2(source, 3)
+            os.dup2(target, 4)
+
+        self.process = subprocess.Popen(command, preexec_fn=place_pipes, pass_fds=(3, 4), stderr=subprocess.DEVNULL)
+        os.close(to_browser)
+        os.close(from_browser)
+        os.set_blocking(self.reader, False)
+        self.rest, self.count, self.events, self.session = b"", 0, [], None
+        self.deadline = time.monotonic() + SECONDS
+
+    def message(self):
+        while b"\0" not in self.rest:
+            if time.monotonic() > self.deadline:
+                raise TimeoutError("Chromium does not answer")
+            try:
+                self.rest += os.read(self.reader, 1 << 20)
+            except BlockingIOError:
+                time.sleep(0.005)
+        text, self.rest = self.rest.split(b"\0", 1)
+        return json.loads(text)
+
+    def call(self, method, **parameters):
+        self.count += 1
+        request = {"id": self.count, "method": method, "params": parameters}
+        if self.session:
+            request["sessionId"] = self.session
+        os.write(self.writer, json.dumps(request).encode() + b"\0")
+        while True:
+            answer = self.message()
+            if answer.get("id") != self.count:
+                self.events.append(answer)
+                continue
+            if "error" in answer:
+                raise RuntimeError(f"{method}: {answer['error']}")
+            return answer["result"]
+
+    def wait_for(self, method):
+        while not any(event.get("method") == method for event in self.events):
+            self.events.append(self.message())
+
+    def evaluate(self, script):
+        answer = self.call("Runtime.evaluate", expression=script, awaitPromise=True, returnByValue=True)
+        if "exceptionDetails" in answer:
+            raise RuntimeError(answer["exceptionDetails"].get("exception", {}).get("description", "exception"))
+        return answer["result"].get("value")
+
+    def press(self, key):
+        typed = {"text": key} if len(key) == 1 else {}
+        self.call("Input.dispatchKeyEvent", type="keyDown", key=key, **typed)
+        self.call("Input.dispatchKeyEvent", type="keyUp", key=key)
+
+    def console(self):
+        lines = []
+        for event in self.events:
+            parameters = event.get("params", {})
+            if event.get("method") == "Runtime.exceptionThrown":
+                details = parameters["exceptionDetails"]
+                lines.append(details.get("exception", {}).get("description", details["text"]))
+            if event.get("method") == "Runtime.consoleAPICalled":
+                lines.append(" ".join(str(a.get("value", "")) for a in parameters["args"]))
+            if event.get("method") == "Log.entryAdded":
+                lines.append(parameters["entry"]["text"])
+        return lines
+
+
+def take(browser, step, values):
+    if "eval" in step:
+        values.append(browser.evaluate(step["eval"]))
+    if "key" in step:
+        browser.press(step["key"])
+    if "size" in step:
+        width, height = step["size"]
+        browser.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=False)
+    if "media" in step:
+        browser.call("Emulation.setEmulatedMedia", media=step["media"])
+    if "dark" in step:
+        feature = {"name": "prefers-color-scheme", "value": "dark" if step["dark"] else "light"}
+        browser.call("Emulation.setEmulatedMedia", features=[feature])
+    if "screenshot" in step:
+        shot = browser.call("Page.captureScreenshot", captureBeyondViewport=bool(step.get("whole")))
+        pathlib.Path(step["screenshot"]).write_bytes(base64.b64decode(shot["data"]))
+
+
+def visit(browser, page, steps):
+    target = browser.call("Target.createTarget", url="about:blank")["targetId"]
+    browser.session = browser.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
+    for domain in ("Page", "Runtime", "Log"):
+        browser.call(domain + ".enable")
+    before = [step for step in steps if step.get("before")]
+    for step in before:
+        take(browser, step, [])
+    start = time.monotonic()
+    browser.call("Page.navigate", url=pathlib.Path(page).resolve().as_uri())
+    browser.wait_for("Page.loadEventFired")
+    values, load_ms = [], 1000 * (time.monotonic() - start)
+    for step in steps:
+        if not step.get("before"):
+            take(browser, step, values)
+    return {"console": browser.console(), "values": values, "load_ms": load_ms}
+
+
+def main():
+    page, steps, profile = sys.argv[1:]
+    browser = Browser(profile)
+    try:
+        print(json.dumps(visit(browser, page, json.loads(pathlib.Path(steps).read_text()))))
+    finally:
+        browser.process.kill()
+        browser.process.wait()
+
+
+if __name__ == "__main__":
+    main()
