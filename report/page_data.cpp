@@ -48,7 +48,7 @@ std::string page_data(const Results& results, const std::filesystem::path& folde
                   {"scenes", scenes},
                   {"bias_sweeps", read_bias_sweeps(folder)},
                   {"palette", palette_json()},
-                  {"data_folder", store.folder_name()}};
+                  {"data_folder", store.has_files() ? Json(store.folder_name()) : Json(nullptr)}};
   return script_safe(data.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 

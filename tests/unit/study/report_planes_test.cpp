@@ -31,10 +31,10 @@ TEST(ToHalf, IsTheNearestHalf) {
   EXPECT_EQ(to_half(1.5f), 0x3E00);
   EXPECT_EQ(to_half(65504.0f), 0x7BFF);
   EXPECT_EQ(to_half(70000.0f), 0x7C00);
-  EXPECT_EQ(to_half(0x1p-14f), 0x0400);       // smallest normal
-  EXPECT_EQ(to_half(0x1p-24f), 0x0001);       // smallest subnormal
+  EXPECT_EQ(to_half(0x1p-14f), 0x0400);         // smallest normal
+  EXPECT_EQ(to_half(0x1p-24f), 0x0001);         // smallest subnormal
   EXPECT_EQ(to_half(1.0f + 0x1p-11f), 0x3C00);  // halfway: to even
-  EXPECT_EQ(to_half(1.9999f), 0x4000);        // carries into the exponent
+  EXPECT_EQ(to_half(1.9999f), 0x4000);          // carries into the exponent
   EXPECT_EQ(to_half(std::nanf("")), 0x0000);
 }
 
@@ -85,7 +85,8 @@ TEST_F(ReportFolder, ShowsBiasSweepsAndRefusesMalformedOnes) {
   write_report(folder_.path(), page());
   EXPECT_THAT(read_file(page()), HasSubstr(R"("parameter":"bias_texels")"));
   write_file_atomically(folder_.path() / "tune-bad.json", R"({"bias_sweep": {"parameter": 3}})");
-  EXPECT_THAT([&] { write_report(folder_.path(), page()); }, ThrowsMessage<Error>(HasSubstr("tune-bad.json")));
+  EXPECT_THAT([&] { write_report(folder_.path(), page()); },
+              ThrowsMessage<Error>(HasSubstr("tune-bad.json")));
 }
 
 }  // namespace

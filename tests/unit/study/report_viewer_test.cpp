@@ -22,11 +22,13 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Resolves when the viewer of scene 0 shows run `run`.
+/// Shows run `run` of scene 0 against the reference and resolves when it is drawn; the viewer has the focus then.
 std::string ready(int run) {
-  return "makeViewer(0); (async () => { while (viewers.get(0).root.dataset.ready !== '" + std::to_string(run) +
+  return "(async () => { const viewer = makeViewer(0); if (viewer.runIndex !== " + std::to_string(run) +
+         ") show(viewer, " + std::to_string(run) + ", -1); while (viewer.root.dataset.ready !== '" +
+         std::to_string(run) +
          " -1') await new Promise(done => setTimeout(done, 20)); await new Promise(requestAnimationFrame);"
-         "await new Promise(requestAnimationFrame); viewers.get(0).root.focus(); })()";
+         "await new Promise(requestAnimationFrame); viewer.root.focus(); })()";
 }
 
 Json evaluate(const std::string& script) {
@@ -39,7 +41,7 @@ Json press(const std::string& key) {
 
 /// What is drawn is drawn with the next frame.
 Json next_frame() {
-  return evaluate("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))");
+  return evaluate("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => done())))");
 }
 
 class ReportViewer : public testing::Test {
@@ -53,10 +55,10 @@ class ReportViewer : public testing::Test {
   Json visit(const Json& steps, size_t budget_bytes = kPageBudget_bytes) {
     write_report(folder_.path(), folder_.path() / "report.html", budget_bytes);
     write_file_atomically(folder_.path() / "steps.json", steps.dump());
-    const ProcessResult result = run_process({"python3", UMBRAMETER_SOURCE_DIR "/tests/support/browser.py",
-                                              (folder_.path() / "report.html").string(),
-                                              (folder_.path() / "steps.json").string(),
-                                              (folder_.path() / "profile").string()});
+    const ProcessResult result =
+        run_process({"python3", UMBRAMETER_SOURCE_DIR "/tests/support/browser.py",
+                     (folder_.path() / "report.html").string(), (folder_.path() / "steps.json").string(),
+                     (folder_.path() / "profile").string()});
     EXPECT_EQ(result.exit_code, 0) << result.err;
     Json seen = result.exit_code == 0 ? Json::parse(result.out) : Json{{"console", {"no visit"}}};
     Json values = Json::array();
@@ -70,10 +72,10 @@ class ReportViewer : public testing::Test {
 };
 
 TEST_F(ReportViewer, ReadsOutWhatWasMeasured) {
-  const Json seen = visit({evaluate(ready(1)), evaluate("viewers.get(0).cursor = {x: 5, y: 7}; draw(viewers.get(0))"),
-                           next_frame(), evaluate("pixelValues(viewers.get(0))"),
-                           evaluate("makeViewer(0); show(viewers.get(0), 1, -1)"), evaluate(ready(1)),
-                           evaluate("deviateAt(viewers.get(0).shown, 7 * 40 + 5)")});
+  const Json seen =
+      visit({evaluate(ready(1)), evaluate("viewers.get(0).cursor = {x: 5, y: 7}; draw(viewers.get(0))"),
+             next_frame(), evaluate("pixelValues(viewers.get(0))"),
+             evaluate("deviateAt(viewers.get(0).shown, 7 * 40 + 5)")});
   EXPECT_EQ(seen["console"], Json::array());
   ASSERT_EQ(seen["values"].size(), 2u) << seen;
   const Image test = read_image(folder_.path() / "images/plate/off.exr");
@@ -87,23 +89,40 @@ TEST_F(ReportViewer, ReadsOutWhatWasMeasured) {
 }
 
 TEST_F(ReportViewer, ObeysItsKeys) {
-  const Json seen = visit(
-      {evaluate(ready(0)), evaluate("viewers.get(0).cursor = {x: 20, y: 15}; undefined"), press("ArrowRight"), press("ArrowDown"),
-       evaluate("[viewers.get(0).cursor.x, viewers.get(0).cursor.y]"), press("+"), press("+"),
-       evaluate("viewers.get(0).view.zoom"), press("0"), evaluate("viewers.get(0).view.zoom"), press("3"),
-       press("]"), evaluate("[viewers.get(0).mode, viewers.get(0).divider.toFixed(2)]"), press(" "), next_frame(),
-       evaluate("[viewers.get(0).mode, viewers.get(0).root.querySelector('[data-pane=run] .pane-title').textContent]"),
-       press("n"), evaluate(ready(1)), evaluate("viewers.get(0).runIndex"), press("?"),
-       evaluate("document.getElementById('keys').open")});
+  const Json seen =
+      visit({evaluate(ready(0)),
+             evaluate("viewers.get(0).cursor = {x: 20, y: 15}; undefined"),
+             press("ArrowRight"),
+             press("ArrowDown"),
+             evaluate("[viewers.get(0).cursor.x, viewers.get(0).cursor.y]"),
+             press("+"),
+             press("+"),
+             evaluate("viewers.get(0).view.zoom"),
+             press("0"),
+             evaluate("viewers.get(0).view.zoom"),
+             press("3"),
+             press("]"),
+             evaluate("[viewers.get(0).mode, viewers.get(0).divider.toFixed(2)]"),
+             press(" "),
+             next_frame(),
+             evaluate("[viewers.get(0).mode, viewers.get(0).root.querySelector('[data-pane=run] "
+                      ".pane-title').textContent]"),
+             press("n"),
+             evaluate(ready(1)),
+             evaluate("viewers.get(0).runIndex"),
+             press("?"),
+             evaluate("document.getElementById('keys').open")});
   EXPECT_EQ(seen["console"], Json::array());
-  EXPECT_EQ(seen["values"], Json::parse(R"([[21, 16], 4, 1, ["slider", "0.55"], ["flip", "Reference"], 1, true])"));
+  EXPECT_EQ(seen["values"],
+            Json::parse(R"([[21, 16], 4, 1, ["slider", "0.55"], ["flip", "Reference"], 1, true])"));
 }
 
 TEST_F(ReportViewer, PaintsTheErrorAtItsScaleOnEveryPane) {
-  const Json seen = visit({evaluate(ready(1)), evaluate("layers.error.colour(viewers.get(0).shown, 7 * 40 + 5)"),
-                           evaluate("layers.error.colour(viewers.get(0).shown, 7 * 40 + 30)"),
-                           evaluate("[...document.querySelectorAll('[data-pane] canvas')].map(canvas => "
-                                    "canvas.getContext('2d').getImageData(canvas.width >> 2, 20, 1, 1).data[3])")});
+  const Json seen =
+      visit({evaluate(ready(1)), evaluate("layers.error.colour(viewers.get(0).shown, 7 * 40 + 5)"),
+             evaluate("layers.error.colour(viewers.get(0).shown, 7 * 40 + 30)"),
+             evaluate("[...document.querySelectorAll('[data-pane] canvas')].map(canvas => "
+                      "canvas.getContext('2d').getImageData(canvas.width >> 2, 20, 1, 1).data[3])")});
   const double share = 0.1 / 0.25;  // of the way from white to {190, 10, 30}
   EXPECT_NEAR(seen["values"][0][0].get<double>(), 255 + share * (190 - 255), 1.0);
   EXPECT_NEAR(seen["values"][0][1].get<double>(), 255 + share * (10 - 255), 1.0);
@@ -118,15 +137,17 @@ TEST_F(ReportViewer, LoadsPixelsThatLieBesideThePage) {
 }
 
 TEST_F(ReportViewer, FiltersTheTable) {
-  const Json seen = visit({evaluate("{const box = document.getElementById('filter'); box.value = 'plate OFF';"
-                                    "box.dispatchEvent(new Event('input'))}"),
-                           evaluate("[...document.querySelectorAll('#results tbody tr')].filter(row => !row.hidden)"
-                                    ".map(row => row.dataset.technique)")});
+  const Json seen =
+      visit({evaluate("{const box = document.getElementById('filter'); box.value = 'plate OFF';"
+                      "box.dispatchEvent(new Event('input'))}"),
+             evaluate("[...document.querySelectorAll('#results tbody tr')].filter(row => !row.hidden)"
+                      ".map(row => row.dataset.technique)")});
   EXPECT_EQ(seen["values"].back(), Json({"off"}));
 }
 
 TEST_F(ReportViewer, FitsANarrowScreen) {
-  const Json seen = visit({{{"size", {360, 740}}, {"before", true}}, evaluate(ready(1)),
+  const Json seen = visit({{{"size", {360, 740}}, {"before", true}},
+                           evaluate(ready(1)),
                            evaluate("document.documentElement.scrollWidth")});
   EXPECT_LE(seen["values"][0].get<int>(), 360);
 }
