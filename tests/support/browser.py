@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """browser.py PAGE STEPS.json PROFILE_FOLDER: opens PAGE in headless Chromium and takes the steps, real key presses included.
 
-A step is {"eval": JS}, {"key": "ArrowRight"}, {"size": [w, h]}, {"media": "print"}, {"dark": true} or {"screenshot": FILE}.
+A step is {"eval": JS}, {"key": "ArrowRight"}, {"size": [w, h]}, {"media": "print"}, {"dark": true}, {"pdf": FILE} or {"screenshot": FILE}.
 `eval` may be a promise. Prints {"console": [...], "values": [of each eval], "load_ms": ...}. Talks to Chromium through a
 pipe, so no port and no library is needed.
 """
@@ -103,6 +103,9 @@ def take(browser, step, values):
     if "dark" in step:
         feature = {"name": "prefers-color-scheme", "value": "dark" if step["dark"] else "light"}
         browser.call("Emulation.setEmulatedMedia", features=[feature])
+    if "pdf" in step:
+        printed = browser.call("Page.printToPDF", printBackground=True)
+        pathlib.Path(step["pdf"]).write_bytes(base64.b64decode(printed["data"]))
     if "screenshot" in step:
         shot = browser.call("Page.captureScreenshot", captureBeyondViewport=bool(step.get("whole")))
         pathlib.Path(step["screenshot"]).write_bytes(base64.b64decode(shot["data"]))
