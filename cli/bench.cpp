@@ -1,5 +1,6 @@
 #include "cli/bench_text.h"
 #include "cli/console.h"
+#include "cli/duration.h"
 #include "cli/progress_bar.h"
 #include "cli/staging.h"
 #include "cli/study_runs.h"
@@ -8,10 +9,6 @@
 #include "reference/reference.h"
 
 #include <fmt/format.h>
-
-#include <array>
-#include <charconv>
-#include <cmath>
 
 namespace umbrameter {
 namespace {
@@ -26,28 +23,9 @@ struct BenchOptions {
   QualityOptions quality;
 };
 
-/// "1ms", "800us", "0.5 s".
-double milliseconds(const std::string& text) {
-  struct Unit {
-    std::string_view name;
-    double ms;
-  };
-  constexpr std::array<Unit, 3> kUnits{{{"ms", 1.0}, {"us", 1e-3}, {"s", 1e3}}};
-  double value = 0.0;
-  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
-  std::string_view unit(end, static_cast<size_t>(text.data() + text.size() - end));
-  while (unit.starts_with(' ')) unit.remove_prefix(1);
-  for (const Unit& known : kUnits) {
-    if (problem == std::errc() && unit == known.name && std::isfinite(value) && value > 0.0)
-      return value * known.ms;
-  }
-  fail_input(fmt::format("--best-under is '{}', not a time", text), {},
-             "a number with its unit, such as 1ms");
-}
-
 BenchQueries choose_queries(const BenchOptions& options) {
   BenchQueries queries;
-  if (!options.best_under.empty()) queries.best_under_ms = milliseconds(options.best_under);
+  if (!options.best_under.empty()) queries.best_under_ms = milliseconds("--best-under", options.best_under);
   queries.cheapest_below_rmse = options.cheapest_below_rmse;
   if (queries.cheapest_below_rmse && !(*queries.cheapest_below_rmse > 0.0))
     fail_input(fmt::format("--cheapest-below-rmse is {}, not positive", *queries.cheapest_below_rmse));

@@ -1,5 +1,6 @@
 #include "cli/home.h"
 
+#include "cli/preset_file.h"
 #include "core/error.h"
 #include "realtime/realtime.h"
 
@@ -34,16 +35,22 @@ std::vector<std::string> split(const std::string& text, char separator) {
 
 ParameterValues parse_assignments(const Technique& technique, const std::vector<std::string>& assignments) {
   ParameterValues values;
+  ParameterValues from_file;
   for (const std::string& assignment : assignments) {
     const auto [name, text] = split_assignment(assignment);
-    if (values.count(name) > 0)
+    if (values.count(name) > 0 || (name == "preset" && !from_file.empty()))
       fail_input(fmt::format("parameter '{}' of '{}' is given twice", name, technique.id));
+    if (name == "preset" && is_preset_file(text)) {
+      from_file = read_preset_file(text, technique);
+      continue;
+    }
     if (name == "preset" || name.starts_with("stage.")) {  // pseudo-parameters
       values[name] = text;
       continue;
     }
     values[name] = parse_parameter_value(find_parameter(technique.parameters, name, technique.id), text);
   }
+  values.merge(from_file);  // what the command line says counts more
   return values;
 }
 

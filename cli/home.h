@@ -31,7 +31,7 @@ SceneSearch scene_search(const GlobalOptions& options, const Home& home);
 SceneJob load_scene_job(const std::string& name_or_path, const SceneSearch& search);
 
 /// "ID[:name=value,...]" (ID may be a folder) plus further "name=value" texts. `preset=NAME` chooses a
-/// preset. Error{input} for unknown techniques, parameters, presets, and values out of range.
+/// preset, `preset=FILE.toml` reads one (cli/preset_file.h). Error{input} for unknown techniques, parameters, presets, and values out of range.
 TechniqueRun choose_technique(const std::string& text, const std::vector<std::string>& assignments,
                               const Home& home);
 

@@ -47,6 +47,7 @@ int run(int argc, char** argv) {
   add_global_options(app, line.global);
   add_validate(app, line);
   add_bench(app, line);
+  add_tune(app, line);
   add_reference(app, line);
   add_render(app, line);
   add_score(app, line);

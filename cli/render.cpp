@@ -21,6 +21,7 @@ struct RenderOptions {
   std::string scene;
   std::string technique;
   std::vector<std::string> assignments;
+  std::string preset;
   QualityOptions quality;
 };
 
@@ -48,7 +49,9 @@ void print_frame(const TimedRun& timed, const SceneJob& job, const TechniqueRun&
 int render(const RenderOptions& options, const GlobalOptions& global) {
   const Quality quality = choose_quality(options.quality);
   const Home home = find_home();
-  const TechniqueRun run = choose_technique(options.technique, options.assignments, home);
+  std::vector<std::string> assignments = options.assignments;
+  if (!options.preset.empty()) assignments.push_back("preset=" + options.preset);
+  const TechniqueRun run = choose_technique(options.technique, assignments, home);
   const SceneJob job = load_scene_job(options.scene, scene_search(global, home));
   const LightType light = job.scene.light().type;
   if (std::find(run.lights.begin(), run.lights.end(), light) == run.lights.end()) {
@@ -88,6 +91,7 @@ void add_render(CLI::App& app, CommandLine& line) {
   verb->add_option("scene", options->scene, "library name or scene file")->required();
   verb->add_option("--technique", options->technique, "ID[:name=value,...]; ID may be a folder")->required();
   verb->add_option("--set", options->assignments, "name=value; repeatable")->allow_extra_args(false);
+  verb->add_option("--preset", options->preset, "a preset of the technique, or a file that 'tune' wrote");
   add_quality_options(*verb, options->quality);
   verb->callback(
       [options, &line] { line.verb = [options, &line] { return render(*options, line.global); }; });

@@ -1,5 +1,6 @@
 #include "cli/console.h"
 #include "cli/home.h"
+#include "cli/preset_file.h"
 #include "cli/progress_bar.h"
 #include "cli/quality.h"
 #include "cli/staging.h"
@@ -24,6 +25,7 @@ namespace {
 struct ValidateOptions {
   std::vector<std::string> scenes;
   std::vector<std::string> techniques;
+  std::vector<std::string> presets;
   QualityOptions quality;
   std::optional<int> frames;
   std::string metrics;
@@ -87,7 +89,10 @@ Workload load_scenes(const std::vector<std::string>& given, const SceneSearch& s
   return work;
 }
 
-std::vector<TechniqueRun> choose_techniques(const std::vector<std::string>& given, const Home& home) {
+std::vector<TechniqueRun> choose_techniques(std::vector<std::string> given,
+                                            const std::vector<std::string>& preset_files, const Home& home) {
+  for (const std::string& file : preset_files)
+    given.push_back(fmt::format("{}:preset={}", technique_of_preset(file), file));
   if (given.empty()) return all_techniques(home);
   std::vector<TechniqueRun> runs;
   std::set<std::string> texts;
@@ -167,7 +172,8 @@ int validate(const ValidateOptions& options, const GlobalOptions& global) {
   const Quality quality = choose_quality(options.quality);
   const Home home = find_home();
   const SceneSearch search = scene_search(global, home);
-  ValidationPlan plan = make_plan(quality, choose_techniques(options.techniques, home), options);
+  ValidationPlan plan =
+      make_plan(quality, choose_techniques(options.techniques, options.presets, home), options);
   plan.temporal_frames = options.temporal ? kTemporalFrames : 0;
   const std::filesystem::path out = global.out.empty() ? "out" : global.out;
   check_output(out);
@@ -205,6 +211,9 @@ void add_validate(CLI::App& app, CommandLine& line) {
   verb->add_option(
           "--technique", options->techniques,
           "ID[:name=value,...], ID may be a folder, preset=NAME chooses a preset; repeatable; none = all")
+      ->allow_extra_args(false);
+  verb->add_option("--preset", options->presets,
+                   "a file that 'tune' wrote: its technique with its values; repeatable")
       ->allow_extra_args(false);
   verb->add_option("--baseline", options->baseline,
                    "label of the technique that verdicts compare with (default: the first)");

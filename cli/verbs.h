@@ -32,6 +32,7 @@ inline constexpr int kExitInterrupted = 130;
 
 void add_validate(CLI::App& app, CommandLine& line);
 void add_bench(CLI::App& app, CommandLine& line);
+void add_tune(CLI::App& app, CommandLine& line);
 void add_reference(CLI::App& app, CommandLine& line);
 void add_render(CLI::App& app, CommandLine& line);
 void add_score(CLI::App& app, CommandLine& line);

@@ -26,6 +26,7 @@ HOMES = {
     "tiny_obj_loader.h": ("scenes/",),
     "CLI/": ("cli/",),
     "sqlite3.h": ("study/store/",),
+    "nlopt.hpp": ("study/tune/",),
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 

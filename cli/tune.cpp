@@ -1,0 +1,123 @@
+#include "cli/console.h"
+#include "cli/duration.h"
+#include "cli/home.h"
+#include "cli/progress_bar.h"
+#include "cli/quality.h"
+#include "cli/tune_text.h"
+#include "core/error.h"
+#include "core/files.h"
+#include "reference/reference.h"
+#include "study/metadata.h"
+#include "study/tune/tune_files.h"
+#include "study/tune/tune_json.h"
+
+#include <fmt/format.h>
+
+namespace umbrameter {
+namespace {
+
+struct TuneOptions {
+  std::vector<std::string> scenes;
+  std::string technique;
+  std::string objective = "rmse";
+  std::vector<std::string> parameters;
+  std::string time_limit = "60s";
+  size_t evaluations = 0;
+  int grid = 0;
+  bool no_coarse = false;
+  QualityOptions quality{.quality = "quick", .width = {}, .height = {}, .samples_per_pixel = {}, .target_se = {}, .where = {}};
+};
+
+constexpr int kCoarseFactor = 2;     // of each side; samples go with its square
+constexpr int kLeastCoarse_px = 160;  // across: smaller pictures hold too few penumbrae to rank anything
+constexpr double kMillisecondsPerSecond = 1e3;
+
+TunePlan make_plan(const TuneOptions& options, const Home& home) {
+  TunePlan plan;
+  plan.technique = choose_technique(options.technique, {}, home);
+  const Technique technique = find_technique(plan.technique.technique, home.techniques);
+  plan.parameters = technique.parameters;
+  for (const Preset& preset : technique.presets) plan.presets.push_back({preset.name, preset.values});
+  plan.tuned = options.parameters;
+  plan.objective = choose_objective(options.objective);
+  plan.time_limit_s = milliseconds("--time-limit", options.time_limit) / kMillisecondsPerSecond;
+  plan.evaluations = options.evaluations;
+  plan.grid_steps = options.grid;
+  choose_search_space(plan.parameters, plan.tuned, technique.id);  // finds unknown names before anything is loaded
+  return plan;
+}
+
+std::vector<SceneJob> load_scenes(const TuneOptions& options, const TunePlan& plan, const SceneSearch& search) {
+  std::vector<SceneJob> jobs;
+  for (const std::string& name : options.scenes) {
+    jobs.push_back(load_scene_job(name, search));
+    if (const auto reason = skip_reason(plan.technique, jobs.back().scene))
+      fail_input(fmt::format("technique '{}' {}: scene '{}'", plan.technique.id, *reason, name));
+  }
+  return jobs;
+}
+
+void write_results(const std::filesystem::path& out, const TunePlan& plan, const TuneResult& result,
+                   const std::string& json) {
+  create_folder(out);
+  const std::string stem = file_name_of(plan.technique.id);
+  write_file_atomically(out / (stem + ".toml"), preset_toml(plan, result));
+  write_file_atomically(out / (stem + "-engine.txt"), engine_block(plan, result));
+  write_file_atomically(out / "tune.json", json);
+  print_note(fmt::format("wrote {}", (out / (stem + ".toml")).string()));
+}
+
+int tune(const TuneOptions& options, const GlobalOptions& global) {
+  const Quality quality = choose_quality(options.quality);
+  const Home home = find_home();
+  TunePlan plan = make_plan(options, home);
+  std::vector<SceneJob> scenes = load_scenes(options, plan, scene_search(global, home));
+  const std::filesystem::path out = global.out.empty() ? "tuned" : global.out;
+  create_folder(out);  // a place that cannot be written is found before the work
+  const auto realtime = open_realtime_renderer(global, home);
+  const auto reference =
+      make_reference_renderer({quality.samples_per_pixel, quality.target_se, global.threads});
+  const auto coarse_reference = make_reference_renderer(
+      {quality.samples_per_pixel / (kCoarseFactor * kCoarseFactor), quality.target_se, global.threads});
+  plan.seed = quality.seed;
+  plan.full = {quality.width_px, quality.height_px, reference.get()};
+  if (!options.no_coarse && quality.width_px >= kCoarseFactor * kLeastCoarse_px) {
+    plan.coarse = Fidelity{quality.width_px / kCoarseFactor, quality.height_px / kCoarseFactor,
+                           coarse_reference.get()};
+  }
+  ProgressBar progress;
+  const TuneResult result = run_tune(scenes, plan, *realtime, progress);
+  progress.clear();
+  const std::string json = to_json_text(plan, result);
+  write_results(out, plan, result, json);
+  print_answer(global.json ? json : tune_text(plan, result));
+  return kExitFine;
+}
+
+}  // namespace
+
+void add_tune(CLI::App& app, CommandLine& line) {
+  auto options = std::make_shared<TuneOptions>();
+  CLI::App* verb = app.add_subcommand(
+      "tune", "find a technique's best parameters for a scene, or for several at once; writes --out (default tuned/)");
+  verb->fallthrough();
+  verb->add_option("scene", options->scenes, "library names or scene files")->required();
+  verb->add_option("--technique", options->technique,
+                   "ID[:name=value,...]: what is not tuned stays as given here")
+      ->required();
+  verb->add_option("--objective", options->objective, "rmse, penumbra or faults (docs/tuning.md)")
+      ->capture_default_str();
+  verb->add_option("--parameters", options->parameters,
+                   "names, separated by commas; default: all that may be tuned and do not count work")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  verb->add_option("--time-limit", options->time_limit, "for the whole search, such as 60s")->capture_default_str();
+  verb->add_option("--evaluations", options->evaluations, "most parameter sets to try; default 40 + 20 a parameter");
+  verb->add_option("--grid", options->grid, "also try a dense grid of so many steps a number, to check the search")
+      ->check(CLI::Range(2, 100));
+  verb->add_flag("--no-coarse", options->no_coarse, "never begin with smaller pictures");
+  add_quality_options(*verb, options->quality);
+  verb->callback([options, &line] { line.verb = [options, &line] { return tune(*options, line.global); }; });
+}
+
+}  // namespace umbrameter

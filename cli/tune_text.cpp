@@ -1,0 +1,95 @@
+#include "cli/tune_text.h"
+
+#include "cli/console.h"
+#include "study/format.h"
+#include "study/tune/tune_files.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace umbrameter {
+namespace {
+
+std::string ratio_text(const std::optional<double>& ratio) {
+  return ratio && std::isfinite(*ratio) ? fmt::format("{:.3f}", *ratio) : kNotApplicable;
+}
+
+std::string objective_text(const std::optional<ObjectiveValue>& objective) {
+  if (!objective) return "failed";
+  return objective->interval ? format_interval(objective->interval) : format_error(objective->value);
+}
+
+std::vector<std::string> row(const TuneResult& result, const Candidate& candidate) {
+  std::vector<std::string> cells{candidate.name};
+  if (result.scenes.size() == 1) cells.push_back(objective_text(candidate.scores.front().objective));
+  cells.push_back(ratio_text(candidate.ratio));
+  cells.push_back(ratio_text(candidate.held_out_ratio));
+  return cells;
+}
+
+std::string ranking(const TunePlan& plan, const TuneResult& result) {
+  std::vector<const Candidate*> order{&result.best};
+  for (const Candidate& candidate : result.others) order.push_back(&candidate);
+  std::ranges::stable_sort(order, {}, [](const Candidate* candidate) { return candidate->ratio; });
+  std::vector<std::vector<std::string>> rows;
+  for (const Candidate* candidate : order) rows.push_back(row(result, *candidate));
+  std::vector<std::string> headings{"settings"};
+  if (result.scenes.size() == 1) headings.push_back(fmt::format("{} [95 %]", name_of(plan.objective)));
+  headings.insert(headings.end(), {"of default", "held out"});
+  return format_table(headings, rows);
+}
+
+std::string end_text(const BiasSweep& sweep, double bias) {
+  const auto texels = sweep.texels(bias), world = sweep.world(bias);
+  if (!texels || !world) return fmt::format("{:.3g} {}", bias, sweep.unit);
+  return fmt::format("{:.3g} texels ({:.3g} world)", *texels, *world);
+}
+
+std::string window_line(const BiasSweep& sweep) {
+  const std::string name = "safe window of " + sweep.parameter;
+  if (!sweep.is_complete) return name + ": not measured, the time was up\n";
+  if (!sweep.acne_free_from) return name + ": empty, there is acne at any bias\n";
+  if (!sweep.peter_pan_free_to) return name + ": empty, shadows are detached at any bias\n";
+  const std::string from = end_text(sweep, *sweep.acne_free_from);
+  const std::string to = end_text(sweep, *sweep.peter_pan_free_to);
+  if (!sweep.has_window())
+    return fmt::format("{}: empty, acne up to {}, detached shadows from {}\n", name, from, to);
+  return fmt::format("{}: {} to {}\n", name, from, to);
+}
+
+std::string percent(const std::optional<double>& share) {
+  return share ? fmt::format("{:+.2f} %", 100.0 * *share) : kNotApplicable;
+}
+
+std::string sensitivities(const TuneResult& result) {
+  std::vector<std::vector<std::string>> rows;
+  for (const Sensitivity& one : result.sensitivities) {
+    rows.push_back({one.parameter, to_text(result.best.values.at(one.parameter)), percent(one.rise_below),
+                    percent(one.rise_above), fmt::format("{:.3g}", one.relative_spread)});
+  }
+  return format_table({"parameter", "tuned", "a step below", "a step above", "spread"}, rows);
+}
+
+}  // namespace
+
+std::string tune_text(const TunePlan& plan, const TuneResult& result) {
+  std::string text =
+      fmt::format("{} on {}, {} x {} px, seed {}: {} evaluations, {} of them coarse, in {:.1f} s{}\n\n{}\n",
+                  plan.technique.id, fmt::join(result.scenes, ", "), plan.full.width_px, plan.full.height_px,
+                  plan.seed, result.coarse_trials.size() + result.full_trials.size(),
+                  result.coarse_trials.size(), result.wall_time_s,
+                  result.is_converged ? "" : " (the budget ended the search)", ranking(plan, result));
+  text += sensitivities(result) + "\n";
+  for (const BiasSweep& sweep : result.bias_sweeps) text += window_line(sweep);
+  if (result.grid) {
+    text += fmt::format("dense grid of {} evaluations: best {:.4f} of default, tuned {:.4f}\n",
+                        result.grid->evaluations, result.grid->best_ratio, result.best.ratio);
+  }
+  for (const std::string& note : result.notes) text += "note: " + note + "\n";
+  return text + "\n" + engine_block(plan, result);
+}
+
+}  // namespace umbrameter

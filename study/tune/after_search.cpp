@@ -1,0 +1,155 @@
+#include "study/tune/after_search.h"
+
+#include "core/error.h"
+#include "core/statistics.h"
+#include "study/guard.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace umbrameter {
+namespace {
+
+double score_on(const Judge& judge, bool is_held_out, Candidate& candidate) {
+  std::vector<std::optional<ObjectiveValue>> measures;
+  for (size_t i = 0; i < judge.views().size(); ++i) {
+    measures.push_back(judge.measure(i, candidate.values));
+    candidate.scores.push_back({judge.views()[i].name, is_held_out, measures.back()});
+  }
+  return judge.ratio_of(measures);
+}
+
+std::optional<double> rise(Judge& judge, ParameterValues values, const std::string& name,
+                           const std::optional<ParameterValue>& value, double least) {
+  if (!value) return std::nullopt;
+  values[name] = *value;
+  const double ratio = judge.ratio(values);
+  if (!std::isfinite(ratio) || !(least > 0.0)) return std::nullopt;
+  return ratio / least - 1.0;
+}
+
+/// At the best of the other choices.
+std::optional<double> rise_elsewhere(Judge& judge, const Trial& best, const Parameter& axis) {
+  std::optional<double> least;
+  const int count = level_count(axis);
+  for (int i = 0; i < count; ++i) {
+    const ParameterValue value = value_at(axis, (i + 0.5) / count);
+    if (value == best.values.at(axis.name)) continue;
+    const auto here = rise(judge, best.values, axis.name, value, best.objective);
+    if (here && (!least || *here < *least)) least = here;
+  }
+  return least;
+}
+
+std::optional<BiasPoint> measure_bias(Studio& studio, const Judge& judge, Objective objective,
+                                      const ParameterValues& values, double bias) {
+  BiasPoint point{bias, 0.0, {}};
+  bool is_measured = true;
+  const auto failure = guarded([&] {
+    for (const View& view : judge.views()) {
+      const Frame frame = studio.render(view, values);
+      const auto measured = measure_objective(objective, frame.image, view.reference, view.mask, false);
+      const FaultShares shares = measure_fault_shares(frame.image, view.reference, view.mask);
+      is_measured = is_measured && measured.has_value();
+      point.objective += measured ? measured->value / static_cast<double>(judge.views().size()) : 0.0;
+      point.shares.acne = std::max(point.shares.acne, shares.acne);
+      point.shares.peter_panning = std::max(point.shares.peter_panning, shares.peter_panning);
+    }
+  });
+  return failure || !is_measured ? std::nullopt : std::optional(point);
+}
+
+double median_texel_world(Studio& studio, const View& view, const ParameterValues& values) {
+  const Frame frame = studio.render(view, values);
+  if (!frame.image.has("texel_world")) return 0.0;
+  std::vector<double> widths;
+  const auto plane = frame.image.plane("texel_world");
+  for (size_t i = 0; i < plane.size(); ++i) {
+    if (view.mask[i] != 0 && plane[i] > 0.0f) widths.push_back(static_cast<double>(plane[i]));
+  }
+  return median_if_any(std::move(widths)).value_or(0.0);
+}
+
+size_t grid_levels(const Parameter& axis, int steps) {
+  const int levels = level_count(axis);
+  if (!is_ordered(axis)) return static_cast<size_t>(levels);
+  return static_cast<size_t>(levels > 0 ? std::min(levels, steps) : steps);
+}
+
+double grid_position(const Parameter& axis, size_t level, size_t count) {
+  if (!is_ordered(axis)) return (static_cast<double>(level) + 0.5) / static_cast<double>(count);
+  return count > 1 ? static_cast<double>(level) / static_cast<double>(count - 1) : 0.0;
+}
+
+}  // namespace
+
+void score_candidate(const Judge& trained, const Judge* held_out, Candidate& candidate) {
+  candidate.ratio = score_on(trained, false, candidate);
+  if (held_out != nullptr) candidate.held_out_ratio = score_on(*held_out, true, candidate);
+}
+
+std::vector<Sensitivity> measure_sensitivities(Judge& judge, const SearchSpace& space, const SearchResult& search,
+                                               const GoesOn& goes_on) {
+  std::vector<Sensitivity> all;
+  const Trial& best = search.best;
+  for (size_t i = 0; i < space.size() && goes_on(); ++i) {
+    const Parameter& axis = space[i];
+    Sensitivity one{axis.name, {}, {}, search.effects[i].relative_spread};
+    if (is_ordered(axis)) {
+      const ParameterValue& value = best.values.at(axis.name);
+      one.rise_below = rise(judge, best.values, axis.name, neighbour(axis, value, -1), best.objective);
+      one.rise_above = rise(judge, best.values, axis.name, neighbour(axis, value, 1), best.objective);
+    } else {
+      one.rise_above = rise_elsewhere(judge, best, axis);
+    }
+    all.push_back(one);
+  }
+  return all;
+}
+
+std::vector<BiasSweep> sweep_biases(Studio& studio, const Judge& judge, const SearchSpace& space, Objective objective,
+                                    const ParameterValues& best, const GoesOn& goes_on) {
+  std::vector<BiasSweep> sweeps;
+  for (const Parameter& axis : space) {
+    if (!is_bias_length(axis)) continue;
+    const MeasureBias measure = [&](double bias) {
+      ParameterValues values = best;
+      values[axis.name] = bias;
+      return measure_bias(studio, judge, objective, values, bias);
+    };
+    sweeps.push_back(sweep_bias(axis, measure, goes_on));
+    sweeps.back().texel_world = median_texel_world(studio, judge.views().front(), best);
+  }
+  return sweeps;
+}
+
+GridCheck check_grid(Judge& judge, const SearchSpace& space, const ParameterValues& base, int steps) {
+  size_t count = 1;
+  for (const Parameter& axis : space) {
+    count *= grid_levels(axis, steps);
+    if (count > kMaxGridPoints) {
+      fail_input(fmt::format("a grid of {} steps over {} parameters has more than {} points", steps, space.size(),
+                             kMaxGridPoints),
+                 {}, "name fewer with --parameters");
+    }
+  }
+  GridCheck check{count, std::numeric_limits<double>::infinity(), {}};
+  for (size_t index = 0; index < count; ++index) {
+    Point point;
+    size_t rest = index;
+    for (const Parameter& axis : space) {
+      const size_t levels = grid_levels(axis, steps);
+      point.push_back(grid_position(axis, rest % levels, levels));
+      rest /= levels;
+    }
+    const ParameterValues values = values_at(space, point, base);
+    const double ratio = judge.ratio(values);
+    if (!(ratio < check.best_ratio)) continue;
+    check.best_ratio = ratio;
+    check.best = values;
+  }
+  return check;
+}
+
+}  // namespace umbrameter

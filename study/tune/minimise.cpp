@@ -1,0 +1,166 @@
+#include "study/tune/minimise.h"
+
+#include "study/tune/local_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace umbrameter {
+namespace {
+
+constexpr int kCoarseLevels = 5;          // tried of a number
+constexpr double kMatters = 2e-3;         // relative spread from which an axis is searched further
+constexpr size_t kMostAxes = 6;           // searched together; the others one by one
+constexpr double kFirstStep = 0.125;      // half of a coarse level
+constexpr double kLastStep = 0.004;
+constexpr double kStepShrink = 0.4;
+constexpr size_t kGlobalPerAxis = 12;     // evaluations that make a global search worth while
+constexpr double kNearlyAsGood = 1.5;     // a choice this good may become best with other numbers
+
+std::vector<double> coarse_positions(const Parameter& axis) {
+  const int levels = level_count(axis);
+  const bool tries_all = !is_ordered(axis) || (levels > 0 && levels <= kCoarseLevels);
+  const int count = tries_all ? levels : kCoarseLevels;
+  std::vector<double> positions;
+  for (int i = 0; i < count; ++i)
+    positions.push_back(is_ordered(axis) ? static_cast<double>(i) / std::max(count - 1, 1) : (i + 0.5) / count);
+  return positions;
+}
+
+/// Tries the coarse levels of an axis from the best trial; the spread of what is finite over the best.
+double screen(Trials& trials, size_t axis) {
+  const Trial start = trials.best();
+  double low = start.objective, high = start.objective;
+  for (const double position : coarse_positions(trials.space()[axis])) {
+    Point point = start.point;
+    point[axis] = position;
+    const double objective = trials.at(point);
+    if (!std::isfinite(objective)) continue;
+    low = std::min(low, objective);
+    high = std::max(high, objective);
+  }
+  return (high - low) / std::max(std::abs(trials.best().objective), 1e-12);
+}
+
+/// Numbers that matter, the strongest first.
+std::vector<size_t> strongest(const SearchSpace& space, const std::vector<AxisEffect>& effects) {
+  std::vector<size_t> axes;
+  for (size_t i = 0; i < space.size(); ++i) {
+    if (is_ordered(space[i]) && effects[i].relative_spread >= kMatters) axes.push_back(i);
+  }
+  std::ranges::stable_sort(axes, std::greater<>{}, [&](size_t i) { return effects[i].relative_spread; });
+  return axes;
+}
+
+/// Every choice once more at the present numbers; a promising one with its strongest number moved, too.
+void search_choices(Trials& trials, const std::vector<size_t>& numbers) {
+  const SearchSpace& space = trials.space();
+  for (size_t axis = 0; axis < space.size(); ++axis) {
+    if (is_ordered(space[axis])) continue;
+    const Trial start = trials.best();
+    for (const double position : coarse_positions(space[axis])) {
+      Point point = start.point;
+      point[axis] = position;
+      const double objective = trials.at(point);
+      if (numbers.empty() || !(objective < kNearlyAsGood * start.objective)) continue;
+      if (values_at(space, point, {}) == values_at(space, start.point, {})) continue;
+      for (const double step : {-kFirstStep, kFirstStep}) {
+        Point moved = point;
+        moved[numbers.front()] = std::clamp(moved[numbers.front()] + step, 0.0, 1.0);
+        trials.at(moved);
+      }
+    }
+  }
+}
+
+class Search {
+ public:
+  explicit Search(Trials& trials) : trials_(trials) {
+    for (const Parameter& axis : trials.space()) effects_.push_back({axis.name, 0.0});
+  }
+
+  void know(std::span<const AxisEffect> effects) {
+    effects_.assign(effects.begin(), effects.end());
+    numbers_ = strongest(trials_.space(), effects_);
+  }
+
+  void screen_all() {
+    for (size_t i = 0; i < effects_.size(); ++i)
+      effects_[i].relative_spread = std::max(effects_[i].relative_spread, screen(trials_, i));
+    numbers_ = strongest(trials_.space(), effects_);
+  }
+
+  void search_wide() {
+    const std::span<const size_t> together = first(numbers_);
+    const size_t share = trials_.left() / 4;
+    if (!together.empty() && share >= kGlobalPerAxis * together.size())
+      search_globally(trials_, together, share);
+  }
+
+  /// True when nothing is left to improve at the smallest step.
+  bool refine() {
+    for (double step = kFirstStep; step >= kLastStep; step *= kStepShrink) {
+      const Point before = trials_.best().point;
+      for (const size_t axis : numbers_) search_line(trials_, axis, step);
+      search_smoothly(trials_, first(numbers_), step, 4 * numbers_.size() + 4);
+      if (step == kFirstStep) {
+        search_choices(trials_, numbers_);
+        if (choices_changed(before)) screen_all();
+      }
+      if (trials_.is_over()) return false;
+    }
+    search_robustly(trials_, first(numbers_), kFirstStep, 12 * numbers_.size());
+    return !trials_.is_over();
+  }
+
+  std::vector<AxisEffect> take_effects() { return std::move(effects_); }
+
+ private:
+  static std::span<const size_t> first(const std::vector<size_t>& axes) {
+    return std::span(axes).first(std::min(axes.size(), kMostAxes));
+  }
+
+  bool choices_changed(const Point& before) const {
+    for (size_t i = 0; i < before.size(); ++i) {
+      const Parameter& axis = trials_.space()[i];
+      if (!is_ordered(axis) && value_at(axis, before[i]) != value_at(axis, trials_.best().point[i]))
+        return true;
+    }
+    return false;
+  }
+
+  Trials& trials_;
+  std::vector<AxisEffect> effects_;
+  std::vector<size_t> numbers_;
+};
+
+constexpr double kWorthAnotherRound = 1e-3;  // relative improvement
+
+}  // namespace
+
+SearchResult minimise(const SearchSpace& space, std::span<const ParameterValues> starts,
+                      const ParameterValues& base, const ObjectiveFunction& objective,
+                      const SearchBudget& budget, std::span<const AxisEffect> known_effects) {
+  Trials trials(space, base, objective, budget);
+  for (const ParameterValues& start : starts) trials.at(point_of(space, start));
+  if (trials.all().empty() || !std::isfinite(trials.best().objective))
+    fail_input("the objective cannot be measured where the search starts");
+  Search search(trials);
+  if (known_effects.empty()) {
+    search.screen_all();
+    search.search_wide();
+  } else {
+    search.know(known_effects);
+  }
+  bool is_converged = false;
+  for (double last = std::numeric_limits<double>::infinity(); !is_converged;) {
+    if (!search.refine()) break;
+    const double least = trials.best().objective;
+    is_converged = !(last - least > kWorthAnotherRound * std::abs(least));
+    last = least;
+  }
+  return {trials.all(), trials.best(), search.take_effects(), is_converged};
+}
+
+}  // namespace umbrameter

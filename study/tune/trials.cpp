@@ -1,0 +1,31 @@
+#include "study/tune/trials.h"
+
+namespace umbrameter {
+
+Trials::Trials(const SearchSpace& space, const ParameterValues& base, const ObjectiveFunction& objective,
+               const SearchBudget& budget)
+    : space_(space), base_(base), objective_(objective), budget_(budget) {}
+
+double Trials::at(const Point& point) {
+  ParameterValues values = values_at(space_, point, base_);
+  const std::string key = key_of(values);
+  if (const auto found = known_.find(key); found != known_.end()) return all_[found->second].objective;
+  if (is_over()) return std::numeric_limits<double>::infinity();
+  const double objective = objective_(values);
+  known_[key] = all_.size();
+  all_.push_back({std::move(values), point, objective});
+  if (objective < best().objective) best_ = all_.size() - 1;
+  return objective;
+}
+
+bool Trials::is_over() const {
+  return left() == 0 || (budget_.is_time_up && budget_.is_time_up());
+}
+
+std::string key_of(const ParameterValues& values) {
+  std::string key;
+  for (const auto& [name, value] : values) key += name + "=" + to_text(value) + "\n";
+  return key;
+}
+
+}  // namespace umbrameter

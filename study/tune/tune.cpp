@@ -1,0 +1,159 @@
+#include "study/tune/tune.h"
+
+#include "core/error.h"
+#include "study/guard.h"
+#include "study/tune/after_search.h"
+#include "study/tune/candidates.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace umbrameter {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double kCoarseShare = 0.5;  // of the search's evaluations and time
+constexpr double kSearchShare = 0.7;  // of the time
+constexpr size_t kKept = 5;           // coarse trials that are tried at full size
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+std::vector<View> make_views(Studio& studio, std::span<SceneJob> scenes, const Fidelity& fidelity) {
+  std::vector<View> views;
+  for (SceneJob& job : scenes) views.push_back(studio.make_view(job, job.scene.camera, job.name, fidelity));
+  return views;
+}
+
+size_t default_evaluations(size_t axes) {
+  return 40 + 20 * axes;
+}
+
+/// The best trials' values, and the first start, which is known to work.
+std::vector<ParameterValues> best_of(const std::vector<Trial>& trials) {
+  std::vector<const Trial*> order;
+  for (const Trial& trial : trials) order.push_back(&trial);
+  std::ranges::stable_sort(order, {}, [](const Trial* trial) { return trial->objective; });
+  std::vector<ParameterValues> values;
+  for (size_t i = 0; i < std::min(kKept, order.size()); ++i) values.push_back(order[i]->values);
+  values.push_back(trials.front().values);
+  return values;
+}
+
+class Tuning {
+ public:
+  Tuning(std::span<SceneJob> scenes, const TunePlan& plan, Renderer& realtime, Progress& progress)
+      : scenes_(scenes), plan_(plan), progress_(progress), start_(Clock::now()),
+        space_(choose_search_space(plan.parameters, plan.tuned, plan.technique.id)),
+        candidates_(make_candidates(plan, space_)),
+        studio_(realtime, plan.technique.technique, plan.seed, progress) {}
+
+  TuneResult run() {
+    Judge judge(studio_, make_views(studio_, scenes_, plan_.full), plan_.objective, base());
+    start_search_ = Clock::now();
+    progress_.begin("tuning " + plan_.technique.id, evaluations());
+    const SearchResult found = search(judge);
+    progress_.end();
+    result_.best.name = "tuned";
+    result_.best.values = found.best.values;
+    result_.full_trials = found.trials;
+    result_.is_converged = found.is_converged;
+    compare(judge);
+    if (plan_.grid_steps > 0) result_.grid = check_grid(judge, space_, base(), plan_.grid_steps);
+    explain(judge, found);
+    for (const SceneJob& job : scenes_) result_.scenes.push_back(job.name);
+    for (const Parameter& axis : space_) result_.tuned.push_back(axis.name);
+    result_.device = studio_.render(judge.views().front(), base()).device;
+    result_.wall_time_s = seconds_since(start_);
+    return std::move(result_);
+  }
+
+ private:
+  const ParameterValues& base() const { return plan_.technique.parameters; }
+
+  size_t evaluations() const {
+    return plan_.evaluations > 0 ? plan_.evaluations : default_evaluations(space_.size());
+  }
+
+  std::function<bool()> time_is_up_after(double share) const {
+    return [this, share] { return seconds_since(start_search_) > share * plan_.time_limit_s; };
+  }
+
+  ObjectiveFunction counted(Judge& judge) const {
+    return [this, &judge](const ParameterValues& values) {
+      const double ratio = judge.ratio(values);
+      progress_.advance(1);
+      return ratio;
+    };
+  }
+
+  /// The tuned axes of the defaults and presets: the search begins with what people set by hand.
+  std::vector<ParameterValues> starts() const {
+    std::vector<ParameterValues> values;
+    for (const Candidate& candidate : candidates_) {
+      if (candidate.same_cost) values.push_back(candidate.values);
+    }
+    return values;
+  }
+
+  SearchResult search(Judge& judge) {
+    const double share = kSearchShare;
+    if (!plan_.coarse)
+      return minimise(space_, starts(), base(), counted(judge), {evaluations(), time_is_up_after(share)});
+    Judge coarse(studio_, make_views(studio_, scenes_, *plan_.coarse), plan_.objective, base());
+    const auto coarse_count = static_cast<size_t>(kCoarseShare * static_cast<double>(evaluations()));
+    const SearchResult first = minimise(space_, starts(), base(), counted(coarse),
+                                        {coarse_count, time_is_up_after(kCoarseShare * share)});
+    result_.coarse_trials = first.trials;
+    return minimise(space_, best_of(first.trials), base(), counted(judge),
+                    {evaluations() - std::min(evaluations(), first.trials.size()), time_is_up_after(share)},
+                    first.effects);
+  }
+
+  void compare(Judge& judge) {
+    std::vector<View> held_out_views;
+    for (size_t i = 0; i < scenes_.size(); ++i) {
+      for (View& view : make_held_out_views(studio_, scenes_[i], judge.views()[i], result_.notes))
+        held_out_views.push_back(std::move(view));
+    }
+    std::optional<Judge> held_out;
+    if (!held_out_views.empty()) {
+      const auto failure = guarded([&] {
+        held_out.emplace(studio_, std::move(held_out_views), plan_.objective, base());
+      });
+      if (failure) result_.notes.push_back("no held-out score: " + failure->message);
+    }
+    score_candidate(judge, held_out ? &*held_out : nullptr, result_.best);
+    for (Candidate& candidate : candidates_) score_candidate(judge, held_out ? &*held_out : nullptr, candidate);
+    result_.others = std::move(candidates_);
+  }
+
+  void explain(Judge& judge, const SearchResult& found) {
+    const GoesOn goes_on = [is_up = time_is_up_after(1.0)] { return !is_up(); };
+    result_.bias_sweeps =
+        sweep_biases(studio_, judge, space_, plan_.objective, result_.best.values, goes_on);
+    result_.sensitivities = measure_sensitivities(judge, space_, found, goes_on);
+    if (!goes_on()) result_.notes.push_back("the time was up: windows or sensitivities are incomplete");
+  }
+
+  std::span<SceneJob> scenes_;
+  const TunePlan& plan_;
+  Progress& progress_;
+  Clock::time_point start_;
+  Clock::time_point start_search_;
+  SearchSpace space_;
+  std::vector<Candidate> candidates_;
+  Studio studio_;
+  TuneResult result_;
+};
+
+}  // namespace
+
+TuneResult run_tune(std::span<SceneJob> scenes, const TunePlan& plan, Renderer& realtime, Progress& progress) {
+  return Tuning(scenes, plan, realtime, progress).run();
+}
+
+}  // namespace umbrameter

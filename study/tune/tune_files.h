@@ -1,0 +1,16 @@
+#pragma once
+// Tuned values as files: a preset to be used with --preset or pasted into a manifest, and plain numbers for an engine.
+
+#include "study/tune/tune.h"
+
+#include <string>
+
+namespace umbrameter {
+
+/// TOML: the technique, and one preset with what was tuned and what else differs from the technique's defaults.
+std::string preset_toml(const TunePlan& plan, const TuneResult& result);
+
+/// One "name = value" a tuned parameter, lengths in both units where the texel is known.
+std::string engine_block(const TunePlan& plan, const TuneResult& result);
+
+}  // namespace umbrameter

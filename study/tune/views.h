@@ -1,0 +1,58 @@
+#pragma once
+// What a tuner looks at: scenes from cameras, each with its truth, rendered once and kept. The truth and the seed are
+// the same for all parameters, so that only they make a difference.
+
+#include "study/tune/objective.h"
+#include "study/validation.h"
+
+#include <string>
+#include <vector>
+
+namespace umbrameter {
+
+/// Size of the picture, and who renders its truth.
+struct Fidelity {
+  int width_px = 0;
+  int height_px = 0;
+  Renderer* reference = nullptr;
+};
+
+struct View {
+  std::string name;  // "plate", "plate, +20 deg"
+  SceneJob* job = nullptr;
+  Camera camera;
+  Fidelity fidelity;
+  Image reference;
+  std::vector<uint8_t> mask;  // scored pixels
+};
+
+/// Renders `technique` on views. Cameras of the jobs' scenes are moved while this works and put back.
+class Studio {
+ public:
+  Studio(Renderer& realtime, std::string technique, uint64_t seed, Progress& progress)
+      : realtime_(realtime), technique_(std::move(technique)), seed_(seed), progress_(progress) {}
+
+  /// Error{input} when the renderers disagree there, so that no number would count.
+  View make_view(SceneJob& job, const Camera& camera, const std::string& name, const Fidelity& fidelity);
+  Frame render(const View& view, const ParameterValues& values);
+
+ private:
+  Frame render(Renderer& renderer, const View& view, const std::string& technique, const ParameterValues& values,
+               Progress& progress);
+
+  Renderer& realtime_;
+  std::string technique_;
+  uint64_t seed_;
+  Progress& progress_;     // of the truth
+  SilentProgress silent_;  // of hundreds of quick frames
+};
+
+/// The camera turned around what it looks at, about its up direction.
+Camera orbit(const Camera& camera, double angle_deg);
+
+/// Cameras 20 degrees to either side of the scene's, or 10 where the further one sees too little of the scene or of its
+/// shadow to say anything; `notes` name those left out.
+std::vector<View> make_held_out_views(Studio& studio, SceneJob& job, const View& trained,
+                                      std::vector<std::string>& notes);
+
+}  // namespace umbrameter
