@@ -25,8 +25,7 @@ double milliseconds(const std::string& option, const std::string& text) {
     if (problem == std::errc() && unit == known.name && std::isfinite(value) && value > 0.0)
       return value * known.ms;
   }
-  fail_input(fmt::format("{} is '{}', not a time", option, text), {},
-             "a number with its unit, such as 1ms");
+  fail_input(fmt::format("{} is '{}', not a time", option, text), {}, "a number with its unit, such as 1ms");
 }
 
 }  // namespace umbrameter

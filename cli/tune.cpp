@@ -23,12 +23,14 @@ struct TuneOptions {
   std::vector<std::string> parameters;
   std::string time_limit = "60s";
   size_t evaluations = 0;
+  int cameras = 3;
   int grid = 0;
   bool no_coarse = false;
-  QualityOptions quality{.quality = "quick", .width = {}, .height = {}, .samples_per_pixel = {}, .target_se = {}, .where = {}};
+  QualityOptions quality{
+      .quality = "quick", .width = {}, .height = {}, .samples_per_pixel = {}, .target_se = {}, .where = {}};
 };
 
-constexpr int kCoarseFactor = 2;     // of each side; samples go with its square
+constexpr int kCoarseFactor = 2;      // of each side; samples go with its square
 constexpr int kLeastCoarse_px = 160;  // across: smaller pictures hold too few penumbrae to rank anything
 constexpr double kMillisecondsPerSecond = 1e3;
 
@@ -42,12 +44,15 @@ TunePlan make_plan(const TuneOptions& options, const Home& home) {
   plan.objective = choose_objective(options.objective);
   plan.time_limit_s = milliseconds("--time-limit", options.time_limit) / kMillisecondsPerSecond;
   plan.evaluations = options.evaluations;
+  plan.cameras = options.cameras;
   plan.grid_steps = options.grid;
-  choose_search_space(plan.parameters, plan.tuned, technique.id);  // finds unknown names before anything is loaded
+  choose_search_space(plan.parameters, plan.tuned,
+                      technique.id);  // finds unknown names before anything is loaded
   return plan;
 }
 
-std::vector<SceneJob> load_scenes(const TuneOptions& options, const TunePlan& plan, const SceneSearch& search) {
+std::vector<SceneJob> load_scenes(const TuneOptions& options, const TunePlan& plan,
+                                  const SceneSearch& search) {
   std::vector<SceneJob> jobs;
   for (const std::string& name : options.scenes) {
     jobs.push_back(load_scene_job(name, search));
@@ -82,8 +87,8 @@ int tune(const TuneOptions& options, const GlobalOptions& global) {
   plan.seed = quality.seed;
   plan.full = {quality.width_px, quality.height_px, reference.get()};
   if (!options.no_coarse && quality.width_px >= kCoarseFactor * kLeastCoarse_px) {
-    plan.coarse = Fidelity{quality.width_px / kCoarseFactor, quality.height_px / kCoarseFactor,
-                           coarse_reference.get()};
+    plan.coarse =
+        Fidelity{quality.width_px / kCoarseFactor, quality.height_px / kCoarseFactor, coarse_reference.get()};
   }
   ProgressBar progress;
   const TuneResult result = run_tune(scenes, plan, *realtime, progress);
@@ -98,8 +103,9 @@ int tune(const TuneOptions& options, const GlobalOptions& global) {
 
 void add_tune(CLI::App& app, CommandLine& line) {
   auto options = std::make_shared<TuneOptions>();
-  CLI::App* verb = app.add_subcommand(
-      "tune", "find a technique's best parameters for a scene, or for several at once; writes --out (default tuned/)");
+  CLI::App* verb = app.add_subcommand("tune",
+                                      "find a technique's best parameters for a scene, or for several at "
+                                      "once; writes --out (default tuned/)");
   verb->fallthrough();
   verb->add_option("scene", options->scenes, "library names or scene files")->required();
   verb->add_option("--technique", options->technique,
@@ -111,9 +117,16 @@ void add_tune(CLI::App& app, CommandLine& line) {
                    "names, separated by commas; default: all that may be tuned and do not count work")
       ->delimiter(',')
       ->allow_extra_args(false);
-  verb->add_option("--time-limit", options->time_limit, "for the whole search, such as 60s")->capture_default_str();
-  verb->add_option("--evaluations", options->evaluations, "most parameter sets to try; default 40 + 20 a parameter");
-  verb->add_option("--grid", options->grid, "also try a dense grid of so many steps a number, to check the search")
+  verb->add_option("--time-limit", options->time_limit, "for the whole search, such as 60s")
+      ->capture_default_str();
+  verb->add_option("--evaluations", options->evaluations,
+                   "most parameter sets to try; default 40 + 20 a parameter");
+  verb->add_option("--cameras", options->cameras,
+                   "3: tune on two cameras beside the scene's, too; 1: on that alone")
+      ->check(CLI::IsMember({1, 3}))
+      ->capture_default_str();
+  verb->add_option("--grid", options->grid,
+                   "also try a dense grid of so many steps a number, to check the search")
       ->check(CLI::Range(2, 100));
   verb->add_flag("--no-coarse", options->no_coarse, "never begin with smaller pictures");
   add_quality_options(*verb, options->quality);

@@ -37,7 +37,8 @@ std::string ranking(const TunePlan& plan, const TuneResult& result) {
   std::vector<std::vector<std::string>> rows;
   for (const Candidate* candidate : order) rows.push_back(row(result, *candidate));
   std::vector<std::string> headings{"settings"};
-  if (result.scenes.size() == 1) headings.push_back(fmt::format("{} [95 %]", name_of(plan.objective)));
+  if (result.scenes.size() == 1)
+    headings.push_back(fmt::format("{} [95 %], its camera", name_of(plan.objective)));
   headings.insert(headings.end(), {"of default", "held out"});
   return format_table(headings, rows);
 }
@@ -79,8 +80,7 @@ std::string tune_text(const TunePlan& plan, const TuneResult& result) {
   std::string text =
       fmt::format("{} on {}, {} x {} px, seed {}: {} evaluations, {} of them coarse, in {:.1f} s{}\n\n{}\n",
                   plan.technique.id, fmt::join(result.scenes, ", "), plan.full.width_px, plan.full.height_px,
-                  plan.seed, result.coarse_trials.size() + result.full_trials.size(),
-                  result.coarse_trials.size(), result.wall_time_s,
+                  plan.seed, result.evaluations, result.coarse_evaluations, result.wall_time_s,
                   result.is_converged ? "" : " (the budget ended the search)", ranking(plan, result));
   text += sensitivities(result) + "\n";
   for (const BiasSweep& sweep : result.bias_sweeps) text += window_line(sweep);

@@ -89,8 +89,8 @@ void score_candidate(const Judge& trained, const Judge* held_out, Candidate& can
   if (held_out != nullptr) candidate.held_out_ratio = score_on(*held_out, true, candidate);
 }
 
-std::vector<Sensitivity> measure_sensitivities(Judge& judge, const SearchSpace& space, const SearchResult& search,
-                                               const GoesOn& goes_on) {
+std::vector<Sensitivity> measure_sensitivities(Judge& judge, const SearchSpace& space,
+                                               const SearchResult& search, const GoesOn& goes_on) {
   std::vector<Sensitivity> all;
   const Trial& best = search.best;
   for (size_t i = 0; i < space.size() && goes_on(); ++i) {
@@ -108,8 +108,8 @@ std::vector<Sensitivity> measure_sensitivities(Judge& judge, const SearchSpace& 
   return all;
 }
 
-std::vector<BiasSweep> sweep_biases(Studio& studio, const Judge& judge, const SearchSpace& space, Objective objective,
-                                    const ParameterValues& best, const GoesOn& goes_on) {
+std::vector<BiasSweep> sweep_biases(Studio& studio, const Judge& judge, const SearchSpace& space,
+                                    Objective objective, const ParameterValues& best, const GoesOn& goes_on) {
   std::vector<BiasSweep> sweeps;
   for (const Parameter& axis : space) {
     if (!is_bias_length(axis)) continue;
@@ -129,8 +129,8 @@ GridCheck check_grid(Judge& judge, const SearchSpace& space, const ParameterValu
   for (const Parameter& axis : space) {
     count *= grid_levels(axis, steps);
     if (count > kMaxGridPoints) {
-      fail_input(fmt::format("a grid of {} steps over {} parameters has more than {} points", steps, space.size(),
-                             kMaxGridPoints),
+      fail_input(fmt::format("a grid of {} steps over {} parameters has more than {} points", steps,
+                             space.size(), kMaxGridPoints),
                  {}, "name fewer with --parameters");
     }
   }

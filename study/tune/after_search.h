@@ -15,12 +15,12 @@ using GoesOn = std::function<bool()>;
 void score_candidate(const Judge& trained, const Judge* held_out, Candidate& candidate);
 
 /// One step from `best` on every axis; axes from where the time is up are left out.
-std::vector<Sensitivity> measure_sensitivities(Judge& judge, const SearchSpace& space, const SearchResult& search,
-                                               const GoesOn& goes_on);
+std::vector<Sensitivity> measure_sensitivities(Judge& judge, const SearchSpace& space,
+                                               const SearchResult& search, const GoesOn& goes_on);
 
 /// Every tuned bias that is a length, the other values as in `best`. Faults are the worst over views.
-std::vector<BiasSweep> sweep_biases(Studio& studio, const Judge& judge, const SearchSpace& space, Objective objective,
-                                    const ParameterValues& best, const GoesOn& goes_on);
+std::vector<BiasSweep> sweep_biases(Studio& studio, const Judge& judge, const SearchSpace& space,
+                                    Objective objective, const ParameterValues& best, const GoesOn& goes_on);
 
 /// Every point of a grid of `steps` a number and all choices. Error{input} for more than kMaxGridPoints.
 inline constexpr size_t kMaxGridPoints = 20000;

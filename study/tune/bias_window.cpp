@@ -94,7 +94,8 @@ std::optional<double> BiasSweep::world(double bias) const {
   return texel_world > 0.0 ? std::optional(bias * texel_world) : std::nullopt;
 }
 
-BiasSweep sweep_bias(const Parameter& axis, const MeasureBias& measure, const std::function<bool()>& goes_on) {
+BiasSweep sweep_bias(const Parameter& axis, const MeasureBias& measure,
+                     const std::function<bool()>& goes_on) {
   Sweep sweep(axis, measure, goes_on);
   BiasSweep out;
   out.parameter = axis.name;

@@ -2,8 +2,8 @@
 // The safe window of a bias: from where it has no acne to where it detaches shadows. An empty window is a finding: no bias
 // works there.
 
-#include "study/tune/search_space.h"
 #include "study/tune/objective.h"
+#include "study/tune/search_space.h"
 
 #include <functional>
 #include <optional>
@@ -28,12 +28,12 @@ using MeasureBias = std::function<std::optional<BiasPoint>(double bias)>;
 
 struct BiasSweep {
   std::string parameter;
-  std::string unit;  // texels or world
-  std::vector<BiasPoint> points;             // by bias
-  std::optional<double> acne_free_from;      // absent: acne everywhere
-  std::optional<double> peter_pan_free_to;   // absent: peter-panning everywhere
-  double texel_world = 0.0;                  // median width of a texel on the receivers; 0 when not known
-  bool is_complete = true;                   // false: the time was up, and there is no window
+  std::string unit;                         // texels or world
+  std::vector<BiasPoint> points;            // by bias
+  std::optional<double> acne_free_from;     // absent: acne everywhere
+  std::optional<double> peter_pan_free_to;  // absent: peter-panning everywhere
+  double texel_world = 0.0;                 // median width of a texel on the receivers; 0 when not known
+  bool is_complete = true;                  // false: the time was up, and there is no window
 
   bool has_window() const {
     return acne_free_from && peter_pan_free_to && *acne_free_from <= *peter_pan_free_to;

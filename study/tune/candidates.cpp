@@ -37,7 +37,8 @@ std::vector<Candidate> make_candidates(const TunePlan& plan, const SearchSpace& 
   for (const NamedValues& preset : plan.presets) {
     ParameterValues at_same_cost;
     for (const auto& [name, value] : preset.values) {
-      if (!is_cost(find_parameter(plan.parameters, name, plan.technique.id), space)) at_same_cost[name] = value;
+      if (!is_cost(find_parameter(plan.parameters, name, plan.technique.id), space))
+        at_same_cost[name] = value;
     }
     const ParameterValues given = with(base, preset.values), cheap = with(base, at_same_cost);
     add(all, preset.name, true, cheap);

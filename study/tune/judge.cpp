@@ -16,15 +16,18 @@ constexpr double kNone = std::numeric_limits<double>::infinity();
 
 Judge::Judge(Studio& studio, std::vector<View> views, Objective objective, const ParameterValues& defaults)
     : studio_(studio), views_(std::move(views)), objective_(objective) {
+  std::vector<std::optional<ObjectiveValue>> measures;
   for (const View& view : views_) {
     const Frame frame = studio.render(view, defaults);
     const auto measured = measure_objective(objective, frame.image, view.reference, view.mask, false);
     if (!measured) {
-      fail_input(fmt::format("{} has nothing that objective '{}' measures", view.name, name_of(objective)), {},
-                 "choose another objective");
+      fail_input(fmt::format("{} has nothing that objective '{}' measures", view.name, name_of(objective)),
+                 {}, "choose another objective");
     }
     scales_.push_back(std::max(measured->value, kLeastScale));
+    measures.push_back(measured);
   }
+  known_[key_of(defaults)] = ratio_of(measures);
 }
 
 double Judge::ratio(const ParameterValues& values) {

@@ -25,6 +25,8 @@ class Judge {
   /// The mean ratio of such measures, one a view.
   double ratio_of(const std::vector<std::optional<ObjectiveValue>>& measures) const;
 
+  /// Different values rendered so far.
+  size_t evaluations() const { return known_.size(); }
   const std::vector<View>& views() const { return views_; }
 
  private:

@@ -7,7 +7,7 @@
 namespace umbrameter {
 namespace {
 
-constexpr double kTolerance = 1e-3;      // of positions: reals have three digits
+constexpr double kTolerance = 1e-3;         // of positions: reals have three digits
 constexpr double kImpossibleFactor = 10.0;  // NLopt's models want finite numbers
 constexpr int kMaxLineMoves = 4;
 

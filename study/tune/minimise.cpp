@@ -9,14 +9,14 @@
 namespace umbrameter {
 namespace {
 
-constexpr int kCoarseLevels = 5;          // tried of a number
-constexpr double kMatters = 2e-3;         // relative spread from which an axis is searched further
-constexpr size_t kMostAxes = 6;           // searched together; the others one by one
-constexpr double kFirstStep = 0.125;      // half of a coarse level
+constexpr int kCoarseLevels = 5;      // tried of a number
+constexpr double kMatters = 2e-3;     // relative spread from which an axis is searched further
+constexpr size_t kMostAxes = 6;       // searched together; the others one by one
+constexpr double kFirstStep = 0.125;  // half of a coarse level
 constexpr double kLastStep = 0.004;
 constexpr double kStepShrink = 0.4;
-constexpr size_t kGlobalPerAxis = 12;     // evaluations that make a global search worth while
-constexpr double kNearlyAsGood = 1.5;     // a choice this good may become best with other numbers
+constexpr size_t kGlobalPerAxis = 12;  // evaluations that make a global search worth while
+constexpr double kNearlyAsGood = 1.5;  // a choice this good may become best with other numbers
 
 std::vector<double> coarse_positions(const Parameter& axis) {
   const int levels = level_count(axis);
@@ -24,7 +24,8 @@ std::vector<double> coarse_positions(const Parameter& axis) {
   const int count = tries_all ? levels : kCoarseLevels;
   std::vector<double> positions;
   for (int i = 0; i < count; ++i)
-    positions.push_back(is_ordered(axis) ? static_cast<double>(i) / std::max(count - 1, 1) : (i + 0.5) / count);
+    positions.push_back(is_ordered(axis) ? static_cast<double>(i) / std::max(count - 1, 1)
+                                         : (i + 0.5) / count);
   return positions;
 }
 

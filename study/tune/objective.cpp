@@ -15,6 +15,7 @@ namespace {
 const std::array<std::string, 3> kNames = {"rmse", "penumbra", "faults"};
 constexpr std::array<std::string_view, 3> kUnits = {"visibility", "octaves", "weighted faults"};
 constexpr int kRounds = 1000;
+constexpr int kLeastRounds = 100;  // a bootstrap refuses fewer
 
 // Where a term of `faults` is 1.
 constexpr double kAcneError = 0.001, kLeakError = 0.001, kOffsetWidths = 0.1, kWidthOctaves = 0.5;
@@ -22,7 +23,7 @@ constexpr double kAcneError = 0.001, kLeakError = 0.001, kOffsetWidths = 0.1, kW
 std::optional<ObjectiveValue> measure_rmse(const Image& test, const Image& reference,
                                            std::span<const uint8_t> mask, bool with_interval) {
   VisibilityErrorSettings settings;
-  if (!with_interval) settings.bootstrap_rounds = 1;
+  if (!with_interval) settings.bootstrap_rounds = kLeastRounds;
   const VisibilityError error = measure_visibility_error(test, reference, mask, settings);
   if (!error.rmse) return std::nullopt;
   return ObjectiveValue{error.rmse->value, with_interval ? error.rmse : std::nullopt};
@@ -70,8 +71,8 @@ std::optional<ObjectiveValue> measure_faults(const Image& test, const Image& ref
   const FaultNumbers& faults = diagnosis.faults;
   if (!faults.mean_abs_error) return std::nullopt;
   double leaks = 0.0;
-  for (const FaultClass leak : {FaultClass::peter_panning, FaultClass::bleed, FaultClass::geometric_leak,
-                                FaultClass::lost_shadow})
+  for (const FaultClass leak :
+       {FaultClass::peter_panning, FaultClass::bleed, FaultClass::geometric_leak, FaultClass::lost_shadow})
     leaks += faults.of(leak).mean_abs_error;
   double sum = faults.of(FaultClass::acne).mean_abs_error / kAcneError + leaks / kLeakError;
   if (diagnosis.penumbra.offset_widths)
@@ -97,8 +98,9 @@ std::string_view unit_of(Objective objective) {
   return kUnits[static_cast<size_t>(objective)];
 }
 
-std::optional<ObjectiveValue> measure_objective(Objective objective, const Image& test, const Image& reference,
-                                                std::span<const uint8_t> mask, bool with_interval) {
+std::optional<ObjectiveValue> measure_objective(Objective objective, const Image& test,
+                                                const Image& reference, std::span<const uint8_t> mask,
+                                                bool with_interval) {
   switch (objective) {
     case Objective::rmse:
       return measure_rmse(test, reference, mask, with_interval);

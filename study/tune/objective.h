@@ -32,8 +32,9 @@ struct ObjectiveValue {
   double value = 0.0;
   std::optional<Interval> interval;
 };
-std::optional<ObjectiveValue> measure_objective(Objective objective, const Image& test, const Image& reference,
-                                                std::span<const uint8_t> mask, bool with_interval);
+std::optional<ObjectiveValue> measure_objective(Objective objective, const Image& test,
+                                                const Image& reference, std::span<const uint8_t> mask,
+                                                bool with_interval);
 
 /// Shares of scored pixels.
 struct FaultShares {

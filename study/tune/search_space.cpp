@@ -11,6 +11,7 @@ namespace {
 constexpr std::array<std::string_view, 4> kCostUnits{"taps", "samples", "count", "px"};
 // Lengths and scales that start at 0 span orders of magnitude: half way is an eighth of the range.
 constexpr double kPowerFromZero = 3.0;
+constexpr double kZeroBelow = 0.02;  // of such an axis: a hundred thousandth of the range is meant to be nothing
 constexpr double kStep = 0.05;
 
 /// A number without unit between 0 and about 1, where all of the range matters alike.
@@ -29,6 +30,7 @@ bool is_logarithmic(const Parameter& axis) {
 
 double number_at(const Parameter& axis, double position) {
   if (is_logarithmic(axis)) return axis.min * std::pow(axis.max / axis.min, position);
+  if (starts_at_zero(axis) && position < kZeroBelow) return 0.0;
   if (starts_at_zero(axis)) return axis.max * std::pow(position, kPowerFromZero);
   return axis.min + position * (axis.max - axis.min);
 }

@@ -8,23 +8,28 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numeric>
 
 namespace umbrameter {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double kCoarseShare = 0.5;  // of the search's evaluations and time
-constexpr double kSearchShare = 0.7;  // of the time
-constexpr size_t kKept = 5;           // coarse trials that are tried at full size
+constexpr double kCoarseShare = 0.5;     // of the search's evaluations and time
+constexpr double kSearchShare = 0.7;     // of the time
+constexpr double kWorthChanging = 2e-3;  // of the objective, by all changes together
+constexpr size_t kKept = 5;              // coarse trials that are tried at full size
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-std::vector<View> make_views(Studio& studio, std::span<SceneJob> scenes, const Fidelity& fidelity) {
+std::vector<View> make_views(Studio& studio, std::span<SceneJob> scenes, const Fidelity& fidelity,
+                             int cameras) {
   std::vector<View> views;
-  for (SceneJob& job : scenes) views.push_back(studio.make_view(job, job.scene.camera, job.name, fidelity));
+  for (SceneJob& job : scenes) {
+    for (View& view : make_trained_views(studio, job, fidelity, cameras)) views.push_back(std::move(view));
+  }
   return views;
 }
 
@@ -46,16 +51,21 @@ std::vector<ParameterValues> best_of(const std::vector<Trial>& trials) {
 class Tuning {
  public:
   Tuning(std::span<SceneJob> scenes, const TunePlan& plan, Renderer& realtime, Progress& progress)
-      : scenes_(scenes), plan_(plan), progress_(progress), start_(Clock::now()),
+      : scenes_(scenes),
+        plan_(plan),
+        progress_(progress),
+        start_(Clock::now()),
         space_(choose_search_space(plan.parameters, plan.tuned, plan.technique.id)),
         candidates_(make_candidates(plan, space_)),
         studio_(realtime, plan.technique.technique, plan.seed, progress) {}
 
   TuneResult run() {
-    Judge judge(studio_, make_views(studio_, scenes_, plan_.full), plan_.objective, base());
+    Judge judge(studio_, make_views(studio_, scenes_, plan_.full, plan_.cameras), plan_.objective, base());
     start_search_ = Clock::now();
     progress_.begin("tuning " + plan_.technique.id, evaluations());
-    const SearchResult found = search(judge);
+    SearchResult found = search(judge);
+    simplify(judge, found);
+    result_.evaluations = result_.coarse_evaluations + judge.evaluations();
     progress_.end();
     result_.best.name = "tuned";
     result_.best.values = found.best.values;
@@ -101,40 +111,62 @@ class Tuning {
 
   SearchResult search(Judge& judge) {
     const double share = kSearchShare;
+    // simplify() may ask for one more an axis.
+    const size_t count = evaluations() - std::min(evaluations() / 2, space_.size());
     if (!plan_.coarse)
-      return minimise(space_, starts(), base(), counted(judge), {evaluations(), time_is_up_after(share)});
-    Judge coarse(studio_, make_views(studio_, scenes_, *plan_.coarse), plan_.objective, base());
-    const auto coarse_count = static_cast<size_t>(kCoarseShare * static_cast<double>(evaluations()));
+      return minimise(space_, starts(), base(), counted(judge), {count, time_is_up_after(share)});
+    Judge coarse(studio_, make_views(studio_, scenes_, *plan_.coarse, plan_.cameras), plan_.objective,
+                 base());
+    const auto coarse_count = static_cast<size_t>(kCoarseShare * static_cast<double>(count));
     const SearchResult first = minimise(space_, starts(), base(), counted(coarse),
                                         {coarse_count, time_is_up_after(kCoarseShare * share)});
     result_.coarse_trials = first.trials;
+    result_.coarse_evaluations = coarse.evaluations();
     return minimise(space_, best_of(first.trials), base(), counted(judge),
-                    {evaluations() - std::min(evaluations(), first.trials.size()), time_is_up_after(share)},
-                    first.effects);
+                    {count - std::min(count, first.trials.size()), time_is_up_after(share)}, first.effects);
+  }
+
+  /// Puts back what was not worth changing: plain presets, and less learned of one picture's noise.
+  void simplify(Judge& judge, SearchResult& found) const {
+    std::vector<size_t> order(space_.size());
+    std::iota(order.begin(), order.end(), size_t{0});
+    std::ranges::stable_sort(order, {}, [&](size_t i) { return found.effects[i].relative_spread; });
+    const double most = found.best.objective + kWorthChanging * std::abs(found.best.objective);
+    for (const size_t i : order) {
+      Trial plainer = found.best;
+      ParameterValue& value = plainer.values[space_[i].name];
+      const ParameterValue& before = base().at(space_[i].name);
+      if (value == before) continue;
+      value = before;
+      plainer.objective = judge.ratio(plainer.values);
+      if (!(plainer.objective <= most)) continue;
+      plainer.point = point_of(space_, plainer.values);
+      found.best = std::move(plainer);
+    }
   }
 
   void compare(Judge& judge) {
     std::vector<View> held_out_views;
-    for (size_t i = 0; i < scenes_.size(); ++i) {
-      for (View& view : make_held_out_views(studio_, scenes_[i], judge.views()[i], result_.notes))
+    for (SceneJob& job : scenes_) {
+      const View& own = *std::ranges::find(judge.views(), job.name, &View::name);
+      for (View& view : make_held_out_views(studio_, job, own, result_.notes))
         held_out_views.push_back(std::move(view));
     }
     std::optional<Judge> held_out;
     if (!held_out_views.empty()) {
-      const auto failure = guarded([&] {
-        held_out.emplace(studio_, std::move(held_out_views), plan_.objective, base());
-      });
+      const auto failure =
+          guarded([&] { held_out.emplace(studio_, std::move(held_out_views), plan_.objective, base()); });
       if (failure) result_.notes.push_back("no held-out score: " + failure->message);
     }
     score_candidate(judge, held_out ? &*held_out : nullptr, result_.best);
-    for (Candidate& candidate : candidates_) score_candidate(judge, held_out ? &*held_out : nullptr, candidate);
+    for (Candidate& candidate : candidates_)
+      score_candidate(judge, held_out ? &*held_out : nullptr, candidate);
     result_.others = std::move(candidates_);
   }
 
   void explain(Judge& judge, const SearchResult& found) {
     const GoesOn goes_on = [is_up = time_is_up_after(1.0)] { return !is_up(); };
-    result_.bias_sweeps =
-        sweep_biases(studio_, judge, space_, plan_.objective, result_.best.values, goes_on);
+    result_.bias_sweeps = sweep_biases(studio_, judge, space_, plan_.objective, result_.best.values, goes_on);
     result_.sensitivities = measure_sensitivities(judge, space_, found, goes_on);
     if (!goes_on()) result_.notes.push_back("the time was up: windows or sensitivities are incomplete");
   }
@@ -152,7 +184,8 @@ class Tuning {
 
 }  // namespace
 
-TuneResult run_tune(std::span<SceneJob> scenes, const TunePlan& plan, Renderer& realtime, Progress& progress) {
+TuneResult run_tune(std::span<SceneJob> scenes, const TunePlan& plan, Renderer& realtime,
+                    Progress& progress) {
   return Tuning(scenes, plan, realtime, progress).run();
 }
 

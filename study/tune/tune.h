@@ -28,6 +28,7 @@ struct TunePlan {
   uint64_t seed = 1;
   size_t evaluations = 0;  // most, of the search
   double time_limit_s = 60.0;
+  int cameras = 3;                 // a scene: its own, and two beside it; or 1
   int grid_steps = 0;              // of numbers; 0: no dense grid to check the search with
   std::optional<Fidelity> coarse;  // where the search begins; absent: at full size
   Fidelity full;
@@ -71,7 +72,8 @@ struct TuneResult {
   std::vector<Candidate> others;  // default, presets
   std::vector<BiasSweep> bias_sweeps;
   std::vector<Sensitivity> sensitivities;
-  std::vector<Trial> coarse_trials, full_trials;  // objective: mean of ratios to the default's
+  std::vector<Trial> coarse_trials, full_trials;   // objective: mean of ratios to the default's
+  size_t coarse_evaluations = 0, evaluations = 0;  // different values rendered until the best were found
   bool is_converged = false;
   std::optional<GridCheck> grid;
   std::vector<std::string> notes;  // what was left out, and why

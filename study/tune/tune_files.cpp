@@ -37,7 +37,8 @@ std::string in_other_unit(const TuneResult& result, const Parameter& parameter, 
 
 std::string preset_toml(const TunePlan& plan, const TuneResult& result) {
   std::string text = fmt::format(
-      "# Made by umbrameter {} ({}): umbrameter validate ... --preset FILE. The [[preset]] may be pasted into a manifest.\n"
+      "# Made by umbrameter {} ({}): umbrameter validate ... --preset FILE. The [[preset]] may be pasted "
+      "into a manifest.\n"
       "technique = \"{}\"\n\n[[preset]]\nname = \"tuned\"\ndoc = \"Tuned {}.\"\n[preset.values]\n",
       UMBRAMETER_VERSION, UMBRAMETER_COMMIT, plan.technique.id, summary(plan, result));
   for (const Parameter& parameter : plan.parameters) {
@@ -53,7 +54,8 @@ std::string engine_block(const TunePlan& plan, const TuneResult& result) {
   for (const Parameter& parameter : plan.parameters) {
     if (!is_tuned(result, parameter.name)) continue;
     const ParameterValue& value = result.best.values.at(parameter.name);
-    text += fmt::format("{} = {}{}\n", parameter.name, to_text(value), in_other_unit(result, parameter, value));
+    text +=
+        fmt::format("{} = {}{}\n", parameter.name, to_text(value), in_other_unit(result, parameter, value));
   }
   return text;
 }

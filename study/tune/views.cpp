@@ -7,12 +7,15 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace umbrameter {
 namespace {
 
-constexpr double kFar_deg = 20.0, kNear_deg = 10.0;
-constexpr double kLeastShare = 0.3;  // of the covered and of the shadowed pixels of the camera that was tuned on
+constexpr double kFar_deg = 20.0, kNear_deg = 14.0;  // held out
+constexpr double kTrained_deg = 8.0;
+constexpr double kLeastShare =
+    0.3;  // of the covered and of the shadowed pixels of the camera that was tuned on
 
 /// Puts the scene's camera back whatever happens.
 class MovedCamera {
@@ -52,7 +55,8 @@ bool sees_enough(const View& view, const View& trained) {
 
 }  // namespace
 
-View Studio::make_view(SceneJob& job, const Camera& camera, const std::string& name, const Fidelity& fidelity) {
+View Studio::make_view(SceneJob& job, const Camera& camera, const std::string& name,
+                       const Fidelity& fidelity) {
   View view{name, &job, camera, fidelity, {}, {}};
   view.reference = render(*fidelity.reference, view, {}, {}, progress_).image;
   const Frame surfaces = render(realtime_, view, {}, {}, silent_);
@@ -89,28 +93,47 @@ Camera orbit(const Camera& camera, double angle_deg) {
   const glm::dvec3 along = glm::dot(arm, axis) * axis;
   const glm::dvec3 across = arm - along;
   Camera moved = camera;
-  moved.eye_world = camera.at_world + along + std::cos(angle_rad) * across +
-                    std::sin(angle_rad) * glm::cross(axis, across);
+  moved.eye_world =
+      camera.at_world + along + std::cos(angle_rad) * across + std::sin(angle_rad) * glm::cross(axis, across);
   return moved;
+}
+
+namespace {
+
+/// Absent when it is not comparable or does not see enough.
+std::optional<View> turned_view(Studio& studio, SceneJob& job, const View& trained, double angle_deg) {
+  std::optional<View> view;
+  guarded([&] {
+    view = studio.make_view(job, orbit(trained.camera, angle_deg),
+                            fmt::format("{}, {:+.0f} deg", job.name, angle_deg), trained.fidelity);
+  });
+  return view && sees_enough(*view, trained) ? std::move(view) : std::nullopt;
+}
+
+}  // namespace
+
+std::vector<View> make_trained_views(Studio& studio, SceneJob& job, const Fidelity& fidelity, int count) {
+  std::vector<View> views;
+  views.push_back(studio.make_view(job, job.scene.camera, job.name, fidelity));
+  if (count == 1) return views;
+  for (const double angle_deg : {-kTrained_deg, kTrained_deg}) {
+    if (auto view = turned_view(studio, job, views.front(), angle_deg)) views.push_back(std::move(*view));
+  }
+  return views;
 }
 
 std::vector<View> make_held_out_views(Studio& studio, SceneJob& job, const View& trained,
                                       std::vector<std::string>& notes) {
   std::vector<View> views;
   for (const double side : {-1.0, 1.0}) {
-    const size_t before = views.size();
-    for (const double angle_deg : {side * kFar_deg, side * kNear_deg}) {
-      const std::string name = fmt::format("{}, {:+.0f} deg", job.name, angle_deg);
-      const auto failure = guarded([&] {
-        View view = studio.make_view(job, orbit(trained.camera, angle_deg), name, trained.fidelity);
-        if (sees_enough(view, trained)) views.push_back(std::move(view));
-      });
-      if (failure) notes.push_back(failure->message);
-      if (views.size() > before) break;
+    auto view = turned_view(studio, job, trained, side * kFar_deg);
+    if (!view) view = turned_view(studio, job, trained, side * kNear_deg);
+    if (view) {
+      views.push_back(std::move(*view));
+    } else {
+      notes.push_back(
+          fmt::format("{}: no held-out camera at {:+.0f} degrees sees enough", job.name, side * kNear_deg));
     }
-    if (views.size() == before)
-      notes.push_back(fmt::format("{}: no held-out camera to the {} sees enough", job.name,
-                                  side < 0.0 ? "one side" : "other side"));
   }
   return views;
 }
