@@ -23,7 +23,7 @@ struct TuneOptions {
   std::vector<std::string> parameters;
   std::string time_limit = "60s";
   size_t evaluations = 0;
-  int cameras = 3;
+  int cameras = 5;
   int grid = 0;
   bool no_coarse = false;
   QualityOptions quality{
@@ -122,8 +122,8 @@ void add_tune(CLI::App& app, CommandLine& line) {
   verb->add_option("--evaluations", options->evaluations,
                    "most parameter sets to try; default 40 + 20 a parameter");
   verb->add_option("--cameras", options->cameras,
-                   "3: tune on two cameras beside the scene's, too; 1: on that alone")
-      ->check(CLI::IsMember({1, 3}))
+                   "5: tune on four cameras beside the scene's, too; 1: on that alone")
+      ->check(CLI::IsMember({1, 5}))
       ->capture_default_str();
   verb->add_option("--grid", options->grid,
                    "also try a dense grid of so many steps a number, to check the search")

@@ -11,7 +11,8 @@ namespace {
 constexpr std::array<std::string_view, 4> kCostUnits{"taps", "samples", "count", "px"};
 // Lengths and scales that start at 0 span orders of magnitude: half way is an eighth of the range.
 constexpr double kPowerFromZero = 3.0;
-constexpr double kZeroBelow = 0.02;  // of such an axis: a hundred thousandth of the range is meant to be nothing
+constexpr double kZeroBelow =
+    0.02;  // of such an axis: a hundred thousandth of the range is meant to be nothing
 constexpr double kStep = 0.05;
 
 /// A number without unit between 0 and about 1, where all of the range matters alike.

@@ -28,7 +28,7 @@ struct TunePlan {
   uint64_t seed = 1;
   size_t evaluations = 0;  // most, of the search
   double time_limit_s = 60.0;
-  int cameras = 3;                 // a scene: its own, and two beside it; or 1
+  int cameras = 5;                 // a scene: its own, and four beside it; or 1
   int grid_steps = 0;              // of numbers; 0: no dense grid to check the search with
   std::optional<Fidelity> coarse;  // where the search begins; absent: at full size
   Fidelity full;

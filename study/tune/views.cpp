@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -13,7 +14,7 @@ namespace umbrameter {
 namespace {
 
 constexpr double kFar_deg = 20.0, kNear_deg = 14.0;  // held out
-constexpr double kTrained_deg = 8.0;
+constexpr std::array kTrained_deg = {-6.0, 6.0, -13.0, 13.0};
 constexpr double kLeastShare =
     0.3;  // of the covered and of the shadowed pixels of the camera that was tuned on
 
@@ -116,7 +117,7 @@ std::vector<View> make_trained_views(Studio& studio, SceneJob& job, const Fideli
   std::vector<View> views;
   views.push_back(studio.make_view(job, job.scene.camera, job.name, fidelity));
   if (count == 1) return views;
-  for (const double angle_deg : {-kTrained_deg, kTrained_deg}) {
+  for (const double angle_deg : kTrained_deg) {
     if (auto view = turned_view(studio, job, views.front(), angle_deg)) views.push_back(std::move(*view));
   }
   return views;
