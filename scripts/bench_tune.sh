@@ -34,7 +34,7 @@ measure() {
 for scene in "${scenes[@]}"; do
   for line in "${techniques[@]}"; do
     read -r technique parameters evaluations steps <<< "$line"
-    measure "presets-$scene-$technique" "$scene" --technique "$technique:map_size=256" --evaluations 150
+    measure "presets-$scene-$technique" "$scene" --technique "$technique:map_size=256" --evaluations 100
     measure "grid-$scene-$technique" "$scene" --technique "$technique:map_size=256" --parameters "$parameters" \
       --evaluations "$evaluations" --grid "$steps" --cameras 1
   done

@@ -17,7 +17,7 @@ double score_on(const Judge& judge, bool is_held_out, Candidate& candidate) {
     measures.push_back(judge.measure(i, candidate.values));
     candidate.scores.push_back({judge.views()[i].name, is_held_out, measures.back()});
   }
-  return judge.ratio_of(measures);
+  return mean_of(judge.ratios_of(measures));
 }
 
 std::optional<double> rise(Judge& judge, ParameterValues values, const std::string& name,

@@ -1,10 +1,13 @@
 #include "study/tune/judge.h"
 
 #include "core/error.h"
+#include "metrics/bootstrap.h"
 #include "study/guard.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace umbrameter {
 namespace {
@@ -13,6 +16,10 @@ constexpr double kLeastScale = 1e-4;  // below it defaults are perfect, and thei
 constexpr double kNone = std::numeric_limits<double>::infinity();
 
 }  // namespace
+
+double mean_of(const std::vector<double>& ratios) {
+  return std::accumulate(ratios.begin(), ratios.end(), 0.0) / static_cast<double>(ratios.size());
+}
 
 Judge::Judge(Studio& studio, std::vector<View> views, Objective objective, const ParameterValues& defaults)
     : studio_(studio), views_(std::move(views)), objective_(objective) {
@@ -27,18 +34,34 @@ Judge::Judge(Studio& studio, std::vector<View> views, Objective objective, const
     scales_.push_back(std::max(measured->value, kLeastScale));
     measures.push_back(measured);
   }
-  known_[key_of(defaults)] = ratio_of(measures);
+  known_[key_of(defaults)] = ratios_of(measures);
 }
 
 double Judge::ratio(const ParameterValues& values) {
-  const auto [place, is_new] = known_.try_emplace(key_of(values), kNone);
+  return mean_of(ratios(values));
+}
+
+bool Judge::is_worse(const ParameterValues& worse, const ParameterValues& better, double least) {
+  const std::vector<double> high = ratios(worse), low = ratios(better);
+  const double difference = mean_of(high) - mean_of(low);
+  if (!(difference > least * std::abs(mean_of(low)))) return false;
+  const size_t count = views_.size();
+  if (count == 1 || !std::isfinite(difference)) return true;
+  double squares = 0.0;
+  for (size_t i = 0; i < count; ++i) squares += std::pow(high[i] - low[i] - difference, 2.0);
+  const double n = static_cast<double>(count);
+  return difference > student_t_975(static_cast<int>(count) - 1) * std::sqrt(squares / (n * (n - 1.0)));
+}
+
+const std::vector<double>& Judge::ratios(const ParameterValues& values) {
+  const auto [place, is_new] = known_.try_emplace(key_of(values));
   if (!is_new) return place->second;
-  std::vector<std::optional<ObjectiveValue>> measures;
+  std::vector<std::optional<ObjectiveValue>> measures(views_.size());
   for (size_t i = 0; i < views_.size(); ++i) {
-    measures.push_back(measure(i, values, false));
-    if (!measures.back()) return kNone;
+    measures[i] = measure(i, values, false);
+    if (!measures[i]) break;  // what fails on one view is no answer for the others
   }
-  return place->second = ratio_of(measures);
+  return place->second = ratios_of(measures);
 }
 
 std::optional<ObjectiveValue> Judge::measure(size_t view, const ParameterValues& values) const {
@@ -57,13 +80,11 @@ std::optional<ObjectiveValue> Judge::measure(size_t index, const ParameterValues
   return measured;
 }
 
-double Judge::ratio_of(const std::vector<std::optional<ObjectiveValue>>& measures) const {
-  double sum = 0.0;
-  for (size_t i = 0; i < measures.size(); ++i) {
-    if (!measures[i]) return kNone;
-    sum += measures[i]->value / scales_[i];
-  }
-  return sum / static_cast<double>(measures.size());
+std::vector<double> Judge::ratios_of(const std::vector<std::optional<ObjectiveValue>>& measures) const {
+  std::vector<double> all;
+  for (size_t i = 0; i < measures.size(); ++i)
+    all.push_back(measures[i] ? measures[i]->value / scales_[i] : kNone);
+  return all;
 }
 
 }  // namespace umbrameter

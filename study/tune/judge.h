@@ -12,6 +12,9 @@
 
 namespace umbrameter {
 
+/// Infinite if one is.
+double mean_of(const std::vector<double>& ratios);
+
 class Judge {
  public:
   /// Measures `defaults` on all views; Error{input} when one has nothing to measure.
@@ -20,10 +23,14 @@ class Judge {
   /// Infinite when a view has no objective or fails. Never renders the same values twice.
   double ratio(const ParameterValues& values);
 
+  /// Whether `worse` has a larger objective than `better` on the views as a whole: by more than `least`, a share of the
+  /// better one's, and for several views beyond the 95 % interval of their differences, too.
+  bool is_worse(const ParameterValues& worse, const ParameterValues& better, double least);
+
   /// On one view, with its interval; absent as above.
   std::optional<ObjectiveValue> measure(size_t view, const ParameterValues& values) const;
-  /// The mean ratio of such measures, one a view.
-  double ratio_of(const std::vector<std::optional<ObjectiveValue>>& measures) const;
+  /// The ratios of such measures, one a view.
+  std::vector<double> ratios_of(const std::vector<std::optional<ObjectiveValue>>& measures) const;
 
   /// Different values rendered so far.
   size_t evaluations() const { return known_.size(); }
@@ -31,12 +38,13 @@ class Judge {
 
  private:
   std::optional<ObjectiveValue> measure(size_t view, const ParameterValues& values, bool with_interval) const;
+  const std::vector<double>& ratios(const ParameterValues& values);
 
   Studio& studio_;
   std::vector<View> views_;
   Objective objective_;
-  std::vector<double> scales_;  // the defaults' objective
-  std::map<std::string, double> known_;
+  std::vector<double> scales_;                        // the defaults' objective
+  std::map<std::string, std::vector<double>> known_;  // a ratio a view
 };
 
 }  // namespace umbrameter

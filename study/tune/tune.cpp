@@ -126,23 +126,32 @@ class Tuning {
                     {count - std::min(count, first.trials.size()), time_is_up_after(share)}, first.effects);
   }
 
-  /// Puts back what was not worth changing: plain presets, and less learned of one picture's noise.
+  /// The best of the defaults and presets: what to keep to where a change is not shown to be worth it.
+  ParameterValues best_by_hand(Judge& judge) const {
+    ParameterValues best = base();
+    for (const ParameterValues& values : starts()) {
+      const ParameterValues here = values_at(space_, point_of(space_, values), base());
+      if (judge.ratio(here) < judge.ratio(best)) best = here;
+    }
+    return best;
+  }
+
+  /// Puts back what was not worth changing: all of it if the best by hand is as good, else value by value, the weakest
+  /// first. Plain presets, and less learned of how texels happen to lie in a few pictures.
   void simplify(Judge& judge, SearchResult& found) const {
+    const ParameterValues by_hand = best_by_hand(judge);
     std::vector<size_t> order(space_.size());
     std::iota(order.begin(), order.end(), size_t{0});
     std::ranges::stable_sort(order, {}, [&](size_t i) { return found.effects[i].relative_spread; });
-    const double most = found.best.objective + kWorthChanging * std::abs(found.best.objective);
+    ParameterValues plain = found.best.values;
+    if (!judge.is_worse(by_hand, found.best.values, kWorthChanging)) plain = by_hand;
     for (const size_t i : order) {
-      Trial plainer = found.best;
-      ParameterValue& value = plainer.values[space_[i].name];
-      const ParameterValue& before = base().at(space_[i].name);
-      if (value == before) continue;
-      value = before;
-      plainer.objective = judge.ratio(plainer.values);
-      if (!(plainer.objective <= most)) continue;
-      plainer.point = point_of(space_, plainer.values);
-      found.best = std::move(plainer);
+      const std::string& name = space_[i].name;
+      ParameterValues plainer = plain;
+      plainer[name] = by_hand.at(name);
+      if (plainer != plain && !judge.is_worse(plainer, found.best.values, kWorthChanging)) plain = plainer;
     }
+    found.best = {plain, point_of(space_, plain), judge.ratio(plain)};
   }
 
   void compare(Judge& judge) {

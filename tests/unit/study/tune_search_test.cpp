@@ -1,0 +1,189 @@
+// Without these, a search could stop beside the optimum, pay twice for a point, or depend on the order of parameters.
+
+#include "study/tune/minimise.h"
+
+#include "core/error.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <set>
+
+namespace umbrameter {
+namespace {
+
+Parameter axis(const std::string& name, double min, double max, const std::string& unit = "ratio") {
+  Parameter parameter;
+  parameter.name = name;
+  parameter.min = min;
+  parameter.max = max;
+  parameter.unit = unit;
+  parameter.default_value = max;
+  return parameter;
+}
+
+Parameter choice_axis(const std::string& name, std::vector<std::string> choices) {
+  Parameter parameter = axis(name, 0, 0);
+  parameter.type = ParameterType::choice;
+  parameter.default_value = choices.front();
+  parameter.choices = std::move(choices);
+  return parameter;
+}
+
+double number(const ParameterValues& values, const std::string& name) {
+  return std::get<double>(values.at(name));
+}
+
+double square(double x) {
+  return x * x;
+}
+
+SearchResult search(const SearchSpace& space, const ObjectiveFunction& objective, size_t evaluations) {
+  const ParameterValues start = default_values(space);
+  const SearchBudget budget{evaluations, {}};
+  return minimise(space, std::span(&start, 1), start, objective, budget);
+}
+
+/// Least over a dense grid of the unit cube.
+double grid_least(const SearchSpace& space, const ObjectiveFunction& objective, int steps) {
+  double least = std::numeric_limits<double>::infinity();
+  const auto count = static_cast<size_t>(std::lround(std::pow(steps, space.size())));
+  for (size_t index = 0; index < count; ++index) {
+    Point point;
+    for (size_t i = 0, rest = index; i < space.size(); ++i, rest /= static_cast<size_t>(steps))
+      point.push_back(static_cast<double>(rest % static_cast<size_t>(steps)) / (steps - 1));
+    least = std::min(least, objective(values_at(space, point, {})));
+  }
+  return least;
+}
+
+/// Acne below a bias that depends on the other offset, peter-panning that rises with both: a step and a slope.
+double step_like(const ParameterValues& values) {
+  const double bias = number(values, "bias"), offset = number(values, "offset");
+  const double acne = bias + 2.0 * offset < 1.3 ? 1.0 : 0.0;
+  return 0.1 + acne + 0.05 * bias + 0.08 * offset;
+}
+
+/// A crooked valley, the optimum 1 at x = 0.3, y = 7.
+double valley(const ParameterValues& values) {
+  const double x = number(values, "x"), y = number(values, "y") / 10.0;
+  return 1.0 + 4.0 * square(x - 0.3 + 0.8 * (y - 0.7)) + square(y - 0.7);
+}
+
+/// The same with 1 % of repeatable noise.
+double noisy_valley(const ParameterValues& values) {
+  const double seed = 12.9898 * number(values, "x") + 78.233 * number(values, "y");
+  const double noise = std::sin(seed) * 43758.5453;
+  return valley(values) * (1.0 + 0.01 * (noise - std::floor(noise)));
+}
+
+const SearchSpace kValley = {axis("x", -1, 1), axis("y", 0.1, 20)};
+
+TEST(Minimise, ComesWithinTwoPercentOfADenseGridForFivePercentOfItsPrice) {
+  const SearchSpace biases = {axis("bias", 0, 32, "texels"), axis("offset", 0, 32, "texels")};
+  const std::vector<std::pair<SearchSpace, ObjectiveFunction>> problems = {
+      {biases, step_like}, {kValley, valley}, {kValley, noisy_valley}};
+  constexpr int kSteps = 30;
+  for (const auto& [space, objective] : problems) {
+    const SearchResult found = search(space, objective, kSteps * kSteps / 20);
+    EXPECT_LE(found.best.objective, 1.02 * grid_least(space, objective, kSteps));
+  }
+}
+
+TEST(Minimise, FindsIntegersAndLogScales) {
+  Parameter exponent = axis("exponent", 1, 1000);
+  exponent.scale = ParameterScale::log;
+  Parameter count = axis("count", 0, 20);
+  count.type = ParameterType::integer;
+  count.default_value = int64_t{0};
+  const SearchSpace space = {exponent, count};
+  const auto objective = [](const ParameterValues& values) {
+    const double n = static_cast<double>(std::get<int64_t>(values.at("count")));
+    return 1.0 + square(std::log10(number(values, "exponent")) - 1.6) + 0.1 * square(n - 13.0);
+  };
+  const SearchResult found = search(space, objective, 60);
+  EXPECT_EQ(std::get<int64_t>(found.best.values.at("count")), 13);
+  EXPECT_NEAR(std::log10(number(found.best.values, "exponent")), 1.6, 0.05);
+}
+
+TEST(Minimise, FindsAChoiceThatNeedsOtherNumbers) {
+  // At the best bias of "plane", 0.1, "none" is worse; with 0.7 it is better.
+  const SearchSpace space = {choice_axis("receiver", {"plane", "none"}), axis("bias", 0, 1, "none")};
+  const auto objective = [](const ParameterValues& values) {
+    const bool is_none = values.at("receiver") == ParameterValue(std::string("none"));
+    const double bias = number(values, "bias");
+    return is_none ? 0.8 + square(bias - 0.7) : 1.0 + square(bias - 0.1);
+  };
+  const SearchResult found = search(space, objective, 60);
+  EXPECT_EQ(found.best.values.at("receiver"), ParameterValue(std::string("none")));
+  EXPECT_NEAR(found.best.objective, 0.8, 0.002);
+}
+
+TEST(Minimise, KeepsOutOfWhatIsForbidden) {
+  const auto walled = [](const ParameterValues& values) {
+    return number(values, "x") > 0.2 && number(values, "x") < 0.9 ? std::numeric_limits<double>::infinity()
+                                                                  : valley(values);
+  };
+  const SearchResult found = search(kValley, walled, 60);
+  EXPECT_LE(found.best.objective, 1.03);  // x = 0.2, y = 7.6: 1 + 4 (-0.1 + 0.05)^2 + 0.06^2 = 1.01
+  EXPECT_LE(number(found.best.values, "x"), 0.2);
+}
+
+TEST(Minimise, PaysOncePerPointAndNeverMoreThanItsBudget) {
+  std::multiset<std::string> asked;
+  const auto counted = [&](const ParameterValues& values) {
+    asked.insert(key_of(values));
+    return valley(values);
+  };
+  const SearchResult found = search(kValley, counted, 40);
+  EXPECT_EQ(asked.size(), found.trials.size());
+  EXPECT_LE(asked.size(), 40u);
+  EXPECT_EQ(std::set<std::string>(asked.begin(), asked.end()).size(), asked.size());
+  const auto least = std::ranges::min_element(found.trials, {}, &Trial::objective);
+  EXPECT_EQ(found.best.objective, least->objective);
+}
+
+TEST(Minimise, StopsWhenTheTimeIsUp) {
+  size_t asked = 0;
+  const ObjectiveFunction counted = [&](const ParameterValues& values) {
+    ++asked;
+    return valley(values);
+  };
+  const ParameterValues start = default_values(kValley);
+  const SearchBudget budget{1000, [&] { return asked >= 7; }};
+  const SearchResult found = minimise(kValley, std::span(&start, 1), start, counted, budget);
+  EXPECT_EQ(asked, 7u);
+  EXPECT_FALSE(found.is_converged);
+}
+
+TEST(Minimise, TriesTheSamePointsAgain) {
+  const SearchResult once = search(kValley, noisy_valley, 50), again = search(kValley, noisy_valley, 50);
+  ASSERT_EQ(once.trials.size(), again.trials.size());
+  for (size_t i = 0; i < once.trials.size(); ++i)
+    EXPECT_EQ(once.trials[i].values, again.trials[i].values) << i;
+}
+
+TEST(Minimise, ParameterOrderDoesNotMoveTheOptimum) {
+  const SearchSpace turned = {kValley[1], kValley[0]};
+  EXPECT_NEAR(search(kValley, valley, 200).best.objective, search(turned, valley, 200).best.objective, 1e-3);
+}
+
+TEST(Minimise, TellsWhichAxisMatters) {
+  SearchSpace space = kValley;
+  space.push_back(axis("idle", 0, 1));
+  const SearchResult found = search(space, valley, 60);
+  ASSERT_EQ(found.effects.size(), 3u);
+  EXPECT_EQ(found.effects[2].relative_spread, 0.0);
+  EXPECT_GT(found.effects[0].relative_spread, 0.5);
+}
+
+TEST(Minimise, SaysWhenNothingCanBeMeasured) {
+  const auto broken = [](const ParameterValues&) { return std::numeric_limits<double>::infinity(); };
+  EXPECT_THROW(search(kValley, broken, 10), Error);
+}
+
+}  // namespace
+}  // namespace umbrameter
