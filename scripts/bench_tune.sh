@@ -26,7 +26,7 @@ measure() {
   local target=$folder/$1
   shift
   [ -e "$target.json" ] && return
-  "$program" tune "$@" "${size[@]}" --time-limit 10min --json --out "$target" > "$target.part" 2> "$target.log" ||
+  "$program" tune "$@" "${size[@]}" --json --out "$target" > "$target.part" 2> "$target.log" ||
     { echo "bench_tune: $target failed: $(tail -n 1 "$target.log")" >&2; return; }
   mv "$target.part" "$target.json"
 }
@@ -34,9 +34,10 @@ measure() {
 for scene in "${scenes[@]}"; do
   for line in "${techniques[@]}"; do
     read -r technique parameters evaluations steps <<< "$line"
-    measure "presets-$scene-$technique" "$scene" --technique "$technique:map_size=256" --evaluations 100
+    measure "presets-$scene-$technique" "$scene" --technique "$technique:map_size=256" --evaluations 100 \
+      --time-limit 20s
     measure "grid-$scene-$technique" "$scene" --technique "$technique:map_size=256" --parameters "$parameters" \
-      --evaluations "$evaluations" --grid "$steps" --cameras 1
+      --evaluations "$evaluations" --grid "$steps" --cameras 1 --time-limit 10min
   done
 done
 python3 scripts/tuning_tables.py "$folder" docs/tuning.md

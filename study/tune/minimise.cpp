@@ -15,6 +15,7 @@ constexpr size_t kMostAxes = 6;       // searched together; the others one by on
 constexpr double kFirstStep = 0.125;  // half of a coarse level
 constexpr double kLastStep = 0.004;
 constexpr double kStepShrink = 0.4;
+constexpr size_t kModelPerAxis = 10;   // evaluations of a quadratic model, which begins with 2 an axis and 1
 constexpr size_t kGlobalPerAxis = 12;  // evaluations that make a global search worth while
 constexpr double kNearlyAsGood = 1.5;  // a choice this good may become best with other numbers
 
@@ -103,8 +104,8 @@ class Search {
   bool refine() {
     for (double step = kFirstStep; step >= kLastStep; step *= kStepShrink) {
       const Point before = trials_.best().point;
+      search_smoothly(trials_, first(numbers_), step, kModelPerAxis * first(numbers_).size());
       for (const size_t axis : numbers_) search_line(trials_, axis, step);
-      search_smoothly(trials_, first(numbers_), step, 4 * numbers_.size() + 4);
       if (step == kFirstStep) {
         search_choices(trials_, numbers_);
         if (choices_changed(before)) screen_all();

@@ -10,7 +10,7 @@ double Trials::at(const Point& point) {
   ParameterValues values = values_at(space_, point, base_);
   const std::string key = key_of(values);
   if (const auto found = known_.find(key); found != known_.end()) return all_[found->second].objective;
-  if (is_over()) return std::numeric_limits<double>::infinity();
+  if (is_over() && !all_.empty()) return std::numeric_limits<double>::infinity();
   const double objective = objective_(values);
   known_[key] = all_.size();
   all_.push_back({std::move(values), point, objective});

@@ -32,7 +32,8 @@ class Trials {
   Trials(const SearchSpace& space, const ParameterValues& base, const ObjectiveFunction& objective,
          const SearchBudget& budget);
 
-  /// The objective there, from memory if any point of the same values was tried. Infinite once the budget is spent.
+  /// The objective there, from memory if any point of the same values was tried. Infinite once the budget is spent, but
+  /// never for the first.
   double at(const Point& point);
 
   bool is_over() const;

@@ -77,7 +77,7 @@ TEST(SearchSpace, ValuesAreAllowedOnes) {
 }
 
 TEST(SearchSpace, EveryLevelComesBack) {
-  Parameter flag = choice("flag", {});
+  Parameter flag = choice("flag", {"unused"});
   flag.type = ParameterType::boolean;
   flag.default_value = false;
   const std::array axes = {integer("n", 0, 4, "none"), integer("p", 1, 8, "none", ParameterScale::pow2),

@@ -1,0 +1,238 @@
+// Without these, a tuner could prefer what it cannot measure, promise a window that is not there, learn from the cameras it
+// is judged on, or write down other numbers than it measured.
+
+#include "study/tune/tune.h"
+
+#include "core/error.h"
+#include "study/tune/tune_files.h"
+#include "study/tune/tune_json.h"
+#include "tests/unit/study/fakes.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace umbrameter {
+namespace {
+
+using testing::HasSubstr;
+using Json = nlohmann::json;
+
+constexpr double kBestBias = 0.7;
+
+Parameter bias_parameter() {
+  Parameter parameter;
+  parameter.name = "bias_texels";
+  parameter.default_value = 4.0;
+  parameter.max = 32.0;
+  parameter.unit = "texels";
+  parameter.group = "bias";
+  return parameter;
+}
+
+Parameter taps_parameter() {
+  Parameter parameter;
+  parameter.name = "taps";
+  parameter.type = ParameterType::integer;
+  parameter.default_value = int64_t{16};
+  parameter.min = 1;
+  parameter.max = 64;
+  parameter.unit = "taps";
+  return parameter;
+}
+
+double bias_of(const ParameterValues& values) {
+  return std::get<double>(values.at("bias_texels"));
+}
+
+/// Error of a bias: 0.02 at best, more to both sides, and half of it with 64 taps. Fails from 20 texels on.
+Frame render(const RenderRequest& request) {
+  if (request.technique.empty()) return frame_of(floor_image());
+  const double bias = bias_of(request.parameters);
+  if (bias > 20.0) fail_input("the map is empty");
+  const double taps = static_cast<double>(std::get<int64_t>(request.parameters.at("taps")));
+  const double error = (0.02 + 0.05 * std::abs(std::cbrt(bias) - std::cbrt(kBestBias))) * (taps > 32.0 ? 0.5 : 1.0);
+  Frame frame = frame_of(technique_image(static_cast<float>(error)));
+  frame.image.add_plane("texel_world", 0.25f);
+  frame.parameters = request.parameters;
+  return frame;
+}
+
+class Tune : public testing::Test {
+ protected:
+  Tune() {
+    plan.technique = fake_technique("fake");
+    plan.parameters = {bias_parameter(), taps_parameter()};
+    plan.technique.parameters = default_values(plan.parameters);
+    plan.presets = {{"engine", {{"bias_texels", 1.5}, {"taps", int64_t{64}}}}, {"medium", {{"bias_texels", 4.0}}}};
+    plan.evaluations = 40;
+    plan.seed = 7;
+    plan.full = {kFakeWidth_px, kFakeHeight_px, &reference};
+    scenes[0].scene.camera.up_world = {0, 0, 1};
+  }
+
+  TuneResult run() { return run_tune(scenes, plan, realtime, progress); }
+
+  TunePlan plan;
+  std::vector<SceneJob> scenes = {fake_scene("plate")};
+  FakeRenderer reference = fake_reference();
+  FakeRenderer realtime{render};
+  SilentProgress progress;
+};
+
+TEST_F(Tune, FindsTheBestBiasAndComparesItAtTheSameCost) {
+  const TuneResult result = run();
+  EXPECT_NEAR(bias_of(result.best.values), kBestBias, 0.02);
+  EXPECT_EQ(result.best.values.at("taps"), ParameterValue(int64_t{16}));
+  EXPECT_EQ(result.tuned, std::vector<std::string>{"bias_texels"});
+  EXPECT_LE(result.evaluations, 40u);
+  ASSERT_EQ(result.others.size(), 3u);
+  EXPECT_EQ(result.others[0].name, "default, medium");
+  EXPECT_EQ(result.others[0].ratio, 1.0);
+  EXPECT_EQ(result.others[1].name, "engine");
+  EXPECT_EQ(result.others[1].values.at("taps"), ParameterValue(int64_t{16}));
+  EXPECT_EQ(result.others[2].name, "engine (own cost)");
+  EXPECT_FALSE(result.others[2].same_cost);
+  EXPECT_LT(result.best.ratio, result.others[1].ratio);
+  EXPECT_LT(result.others[2].ratio, result.best.ratio);  // it pays for it
+  // Half of the pixels are wrong by 0.02 at best: rmse 0.02 / sqrt(2), to a pixel column.
+  EXPECT_NEAR(result.best.scores.front().objective->value, 0.02 / std::sqrt(2.0), 0.001);
+}
+
+TEST_F(Tune, ANamedCostIsTunedToo) {
+  plan.tuned = {"bias_texels", "taps"};
+  EXPECT_GT(std::get<int64_t>(run().best.values.at("taps")), 32);
+}
+
+TEST_F(Tune, ScoresOnCamerasItDidNotTuneOn) {
+  const TuneResult result = run();
+  ASSERT_TRUE(result.best.held_out_ratio);
+  std::vector<std::string> trained, held_out;
+  for (const ViewScore& score : result.best.scores) (score.is_held_out ? held_out : trained).push_back(score.view);
+  EXPECT_THAT(trained, testing::ElementsAre("plate", "plate, -6 deg", "plate, +6 deg", "plate, -13 deg",
+                                            "plate, +13 deg"));
+  EXPECT_THAT(held_out, testing::ElementsAre("plate, -20 deg", "plate, +20 deg"));
+  EXPECT_EQ(scenes[0].scene.camera.eye_world, glm::dvec3(0, 10, 0));  // put back
+}
+
+TEST_F(Tune, AHurriedOneStillComparesAndSaysWhatIsMissing) {
+  plan.cameras = 1;
+  plan.time_limit_s = 1e-9;  // the first start alone
+  const TuneResult hurried = run();
+  EXPECT_FALSE(hurried.is_converged);
+  EXPECT_EQ(hurried.full_trials.size(), 1u);
+  EXPECT_EQ(hurried.others.size(), 3u);
+  EXPECT_TRUE(hurried.sensitivities.empty());
+  EXPECT_THAT(hurried.notes.back(), HasSubstr("the time was up"));
+}
+
+TEST_F(Tune, KeepsToThePresetThatIsAsGood) {
+  plan.presets = {{"best", {{"bias_texels", kBestBias}}}};
+  EXPECT_EQ(bias_of(run().best.values), kBestBias);
+}
+
+TEST_F(Tune, BeginsSmallAndGoesOnAtFullSize) {
+  plan.coarse = plan.full;  // the fake has one size; what counts is that both are searched
+  const TuneResult result = run();
+  EXPECT_GT(result.coarse_evaluations, 0u);
+  EXPECT_GT(result.evaluations, result.coarse_evaluations);
+  EXPECT_NEAR(bias_of(result.best.values), kBestBias, 0.02);
+}
+
+TEST_F(Tune, AGridChecksTheSearch) {
+  plan.grid_steps = 21;
+  const TuneResult result = run();
+  ASSERT_TRUE(result.grid);
+  EXPECT_EQ(result.grid->evaluations, 21u);
+  EXPECT_LE(result.best.ratio, 1.02 * result.grid->best_ratio);
+}
+
+TEST_F(Tune, OneSettingForSeveralScenes) {
+  scenes.push_back(fake_scene("fence"));
+  scenes[1].scene.camera.up_world = {0, 0, 1};
+  const TuneResult result = run();
+  EXPECT_EQ(result.scenes.size(), 2u);
+  EXPECT_NEAR(bias_of(result.best.values), kBestBias, 0.02);
+}
+
+TEST_F(Tune, SensitivityIsTheRiseOneStepAway) {
+  const TuneResult result = run();
+  ASSERT_EQ(result.sensitivities.size(), 1u);
+  // A step is a twentieth of the axis: 0.05 cbrt(32) = 0.159 of the cube root, so 0.05 * 0.159 on 0.02: 40 %.
+  EXPECT_NEAR(*result.sensitivities[0].rise_above, 0.40, 0.03);
+  EXPECT_NEAR(*result.sensitivities[0].rise_below, 0.40, 0.03);
+}
+
+TEST_F(Tune, FilesHoldWhatWasMeasured) {
+  const TuneResult result = run();
+  const std::string bias = to_text(result.best.values.at("bias_texels"));
+  EXPECT_THAT(preset_toml(plan, result), HasSubstr("technique = \"fake\""));
+  EXPECT_THAT(preset_toml(plan, result), HasSubstr("bias_texels = " + bias + "\n"));
+  EXPECT_THAT(engine_block(plan, result), HasSubstr("bias_texels = " + bias + "  // "));
+  EXPECT_THAT(engine_block(plan, result), HasSubstr("world units at 0.25 a texel"));
+  const Json json = Json::parse(to_json_text(plan, result));
+  EXPECT_EQ(json["best"]["parameters"]["bias_texels"], std::get<double>(result.best.values.at("bias_texels")));
+  const Json& sweep = json["bias_sweep"][0];
+  EXPECT_EQ(sweep["bias"].size(), sweep["objective"].size());
+  EXPECT_EQ(sweep["bias"].size(), sweep["acne_share"].size());
+}
+
+TEST_F(Tune, SaysWhatAnObjectiveLacks) {
+  plan.objective = Objective::penumbra;  // the fakes' truth has no edge
+  try {
+    run();
+    FAIL() << "no error";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("plate has nothing that objective 'penumbra' measures"));
+  }
+}
+
+/// Acne below `acne`, peter-panning above `detached`.
+BiasSweep sweep(double acne, double detached) {
+  const MeasureBias measure = [=](double bias) {
+    return BiasPoint{bias, 0.1, {bias < acne ? 0.02 : 0.0, bias > detached ? 0.03 : 0.0}};
+  };
+  return sweep_bias(bias_parameter(), measure, [] { return true; });
+}
+
+TEST(BiasWindow, LiesBetweenAcneAndPeterPanning) {
+  BiasSweep found = sweep(0.5, 3.0);
+  ASSERT_TRUE(found.has_window());
+  // A 14th of the axis, halved three times: 0.02 cbrt(32) / 2.24 of the cube root.
+  EXPECT_NEAR(std::cbrt(*found.acne_free_from), std::cbrt(0.5), 0.03);
+  EXPECT_NEAR(std::cbrt(*found.peter_pan_free_to), std::cbrt(3.0), 0.03);
+  EXPECT_GE(*found.acne_free_from, 0.5);
+  EXPECT_LE(*found.peter_pan_free_to, 3.0);
+  found.texel_world = 0.25;
+  EXPECT_DOUBLE_EQ(*found.world(2.0), 0.5);
+  EXPECT_DOUBLE_EQ(*found.texels(2.0), 2.0);
+}
+
+TEST(BiasWindow, MayBeEmpty) {
+  const BiasSweep crossed = sweep(3.0, 0.5);
+  EXPECT_FALSE(crossed.has_window());
+  EXPECT_TRUE(crossed.acne_free_from && crossed.peter_pan_free_to);
+  EXPECT_FALSE(sweep(100.0, 200.0).acne_free_from);
+  EXPECT_FALSE(sweep(0.0, -1.0).peter_pan_free_to);
+}
+
+TEST(BiasWindow, MayReachFromEndToEnd) {
+  const BiasSweep all = sweep(0.0, 100.0);
+  EXPECT_EQ(*all.acne_free_from, 0.0);
+  EXPECT_EQ(*all.peter_pan_free_to, 32.0);
+}
+
+TEST(Objectives, ADestroyedPenumbraIsNoWidthOfNothing) {
+  EXPECT_THROW(choose_objective("rsme"), Error);
+  EXPECT_EQ(choose_objective("faults"), Objective::faults);
+  const Image reference = reference_image();
+  std::vector<uint8_t> mask(reference.pixel_count(), 1);
+  EXPECT_FALSE(measure_objective(Objective::penumbra, technique_image(0.1f), reference, mask, true));
+}
+
+}  // namespace
+}  // namespace umbrameter
