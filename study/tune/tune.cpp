@@ -71,9 +71,11 @@ class Tuning {
     result_.best.values = found.best.values;
     result_.full_trials = found.trials;
     result_.is_converged = found.is_converged;
-    compare(judge);
-    if (plan_.grid_steps > 0) result_.grid = check_grid(judge, space_, base(), plan_.grid_steps);
+    std::optional<Judge> held_out = make_held_out(judge);
+    compare(judge, held_out, true);
     explain(judge, found);
+    compare(judge, held_out, false);
+    if (plan_.grid_steps > 0) result_.grid = check_grid(judge, space_, base(), plan_.grid_steps);
     for (const SceneJob& job : scenes_) result_.scenes.push_back(job.name);
     for (const Parameter& axis : space_) result_.tuned.push_back(axis.name);
     result_.device = studio_.render(judge.views().front(), base()).device;
@@ -154,23 +156,34 @@ class Tuning {
     found.best = {plain, point_of(space_, plain), judge.ratio(plain)};
   }
 
-  void compare(Judge& judge) {
-    std::vector<View> held_out_views;
+  std::optional<Judge> make_held_out(const Judge& judge) {
+    std::vector<View> views;
     for (SceneJob& job : scenes_) {
       const View& own = *std::ranges::find(judge.views(), job.name, &View::name);
       for (View& view : make_held_out_views(studio_, job, own, result_.notes))
-        held_out_views.push_back(std::move(view));
+        views.push_back(std::move(view));
     }
     std::optional<Judge> held_out;
-    if (!held_out_views.empty()) {
-      const auto failure =
-          guarded([&] { held_out.emplace(studio_, std::move(held_out_views), plan_.objective, base()); });
-      if (failure) result_.notes.push_back("no held-out score: " + failure->message);
+    if (views.empty()) return held_out;
+    const auto failure =
+        guarded([&] { held_out.emplace(studio_, std::move(views), plan_.objective, base()); });
+    if (failure) result_.notes.push_back("no held-out score: " + failure->message);
+    return held_out;
+  }
+
+  /// Those of the same cost come first and always; own maps of 4096 texels may take longer than the search.
+  void compare(const Judge& judge, const std::optional<Judge>& held_out, bool same_cost) {
+    const Judge* others = held_out ? &*held_out : nullptr;
+    if (same_cost) score_candidate(judge, others, result_.best);
+    for (Candidate& candidate : candidates_) {
+      if (candidate.same_cost != same_cost) continue;
+      if (!same_cost && time_is_up_after(1.0)()) {
+        result_.notes.push_back("the time was up: not measured: " + candidate.name);
+        continue;
+      }
+      score_candidate(judge, others, candidate);
+      result_.others.push_back(candidate);
     }
-    score_candidate(judge, held_out ? &*held_out : nullptr, result_.best);
-    for (Candidate& candidate : candidates_)
-      score_candidate(judge, held_out ? &*held_out : nullptr, candidate);
-    result_.others = std::move(candidates_);
   }
 
   void explain(Judge& judge, const SearchResult& found) {

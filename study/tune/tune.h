@@ -81,8 +81,8 @@ struct TuneResult {
   double wall_time_s = 0.0;
 };
 
-/// Error{input} when a scene cannot be measured at the defaults, or two names are the same. Held-out cameras, windows and
-/// sensitivities are left out, with a note, when the time is up.
+/// Error{input} when a scene cannot be measured at the defaults, or two names are the same. Windows, sensitivities
+/// and presets at their own cost are left out, with a note, when the time is up.
 TuneResult run_tune(std::span<SceneJob> scenes, const TunePlan& plan, Renderer& realtime, Progress& progress);
 
 }  // namespace umbrameter

@@ -23,8 +23,8 @@ TEST_F(GlTuneCommand, WritesAPresetThatOtherCommandsTake) {
   write_scene("scene.toml");
   const ProcessResult tuned =
       umbrameter({"tune", "scene.toml", "--technique", "pcf:map_size=64", "--parameters",
-                  "filter_width_texels,bias_texels", "--evaluations", "12", "--cameras", "1", "--width", "64", "--height",
-                  "36", "--spp", "64", "--out", "best", "--json"});
+                  "filter_width_texels,bias_texels", "--evaluations", "12", "--cameras", "1", "--width", "64",
+                  "--height", "36", "--spp", "64", "--out", "best", "--json"});
   ASSERT_EQ(tuned.exit_code, 0) << tuned.err;
   const Json json = Json::parse(tuned.out);
   EXPECT_LE(json["evaluations"], 12);
@@ -34,7 +34,8 @@ TEST_F(GlTuneCommand, WritesAPresetThatOtherCommandsTake) {
   EXPECT_THAT(read_file(folder() / "best/pcf-engine.txt"), HasSubstr("filter_width_texels = "));
 
   const std::vector<std::string> size = {"--width", "64", "--height", "36", "--json"};
-  std::vector<std::string> by_option = {"render", "scene.toml", "--technique", "pcf", "--preset", "best/pcf.toml"};
+  std::vector<std::string> by_option = {"render", "scene.toml", "--technique",
+                                        "pcf",    "--preset",   "best/pcf.toml"};
   by_option.insert(by_option.end(), size.begin(), size.end());
   const ProcessResult rendered = umbrameter(by_option);
   ASSERT_EQ(rendered.exit_code, 0) << rendered.err;
@@ -43,8 +44,9 @@ TEST_F(GlTuneCommand, WritesAPresetThatOtherCommandsTake) {
   const double width = json["best"]["parameters"]["filter_width_texels"];
   EXPECT_THAT(used, HasSubstr(fmt::format("filter_width_texels={}", width)));
 
-  const ProcessResult validated = umbrameter({"validate", "scene.toml", "--preset", "best/pcf.toml", "--width", "64",
-                                              "--height", "36", "--spp", "64", "--frames", "0", "--json"});
+  const ProcessResult validated =
+      umbrameter({"validate", "scene.toml", "--preset", "best/pcf.toml", "--width", "64", "--height", "36",
+                  "--spp", "64", "--frames", "0", "--json"});
   ASSERT_EQ(validated.exit_code, 0) << validated.err;
   const Json run = Json::parse(validated.out)["scenes"][0]["techniques"][0];
   EXPECT_EQ(run["technique"], "pcf");
