@@ -57,7 +57,7 @@ def against(result):
     def text(key):
         ours, best = result["best"][key], least(rivals(result), key)
         mark = {"loss": " **loss**", "tie": " tie"}.get(outcome(result, key), "")
-        return "n/a" if ours is None or best is None else f"{ours:.2f} / {best:.2f}{mark}"
+        return "n/a" if ours is None or best is None else f"{ours:.3f} / {best:.3f}{mark}"
 
     return f"{text('ratio')}; {text('held_out_ratio')}"
 
