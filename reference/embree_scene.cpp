@@ -48,9 +48,9 @@ EmbreeScene::EmbreeScene() {
   packet_width_ = widest_packet(device_.get());
 }
 
-void EmbreeScene::load(const Scene& scene) {
+bool EmbreeScene::load(const Scene& scene) {
   const std::string hash = hash_of_triangles(scene);
-  if (scene_ && hash == loaded_hash_) return;
+  if (scene_ && hash == loaded_hash_) return false;
   scene_.reset(rtcNewScene(device_.get()));
   loaded_hash_.clear();
   rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
@@ -66,6 +66,7 @@ void EmbreeScene::load(const Scene& scene) {
   rtcJoinCommitScene(scene_.get());
   throw_on_error("building the acceleration structure");
   loaded_hash_ = hash;
+  return true;
 }
 
 std::string EmbreeScene::version() const {

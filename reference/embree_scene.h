@@ -30,11 +30,12 @@ class EmbreeScene {
   /// Error{environment} when Embree cannot start.
   EmbreeScene();
 
-  /// Makes `scene` the one that rays meet; does nothing when its triangles are those it holds already. Builds
-  /// with the threads of the caller's TBB arena. Error{environment} when memory runs out, Error{internal} for
+  /// Makes `scene` the one that rays meet; does nothing, and says false, when its triangles are those it holds
+  /// already. Builds with the threads of the caller's TBB arena. Error{environment} when memory runs out, Error{internal} for
   /// any other Embree error.
-  void load(const Scene& scene);
+  bool load(const Scene& scene);
 
+  RTCDevice device() const { return device_.get(); }
   RTCScene handle() const { return scene_.get(); }
   /// Lanes of the widest shadow-ray packet the device runs natively: 16, 8 or 4.
   int packet_width() const { return packet_width_; }

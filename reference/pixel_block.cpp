@@ -1,5 +1,6 @@
 #include "reference/pixel_block.h"
 
+#include "reference/light_proof.h"
 #include "reference/shadow_sampler.h"
 
 #include <algorithm>
@@ -13,9 +14,13 @@ struct Pixel {
   size_t index = 0;
   uint32_t seed = 0;
   glm::vec3 ray_origin_world{0.0f};
+  glm::vec3 n_geometric_world{0.0f};
   LightPatch patch;
+  LightProof proof = LightProof::none;
   PixelSums sums;
 };
+
+static_assert(kShafts == kBlock * kBlock);
 
 struct Block {
   std::array<Pixel, kBlock * kBlock> pixels;
@@ -40,15 +45,31 @@ Block shoot_primary(const BlockJob& job, int x0, int y0, ReferencePlanes& planes
       }
       planes.write_unshadowed_irradiance(
           index, unshadowed_irradiance(job.light, receiver.p_world, receiver.n_shading_world));
-      block.pixels[block.count++] = {
-          index, pixel_seed(job.seed, index), receiver.ray_origin_world, patch, {}};
+      block.pixels[block.count++] = {index,
+                                     pixel_seed(job.seed, index),
+                                     receiver.ray_origin_world,
+                                     glm::vec3(receiver.n_geometric_world),
+                                     patch,
+                                     LightProof::none,
+                                     {}};
     }
   }
   return block;
 }
 
+void prove(const BlockJob& job, Block& block) {
+  std::array<ShaftPixel, kShafts> shafts;
+  for (size_t i = 0; i < block.count; ++i) {
+    const Pixel& pixel = block.pixels[i];
+    shafts[i] = {&pixel.patch, pixel.ray_origin_world, pixel.n_geometric_world};
+  }
+  const auto proofs =
+      prove_light(job.occluders, job.scene, job.scene_extent_world, {shafts.data(), block.count});
+  for (size_t i = 0; i < block.count; ++i) block.pixels[i].proof = proofs[i];
+}
+
 bool is_settled(const BlockJob& job, const Pixel& pixel) {
-  if (is_below_horizon(pixel.patch)) return true;
+  if (pixel.proof != LightProof::none) return true;
   return job.target_se && estimate_pixel(pixel.sums).visibility_se <= *job.target_se;
 }
 
@@ -56,6 +77,7 @@ void sample_block(const BlockJob& job, Block& block) {
   uint32_t points = job.target_se ? std::min(kFirstRound, job.sets.points()) : job.sets.points();
   for (;;) {
     for (Pixel& pixel : block.used()) {
+      if (job.skip_proven && pixel.proof != LightProof::none) continue;
       sample_pixel(job.embree, pixel.ray_origin_world, pixel.patch, job.sets, pixel.seed, points, pixel.sums);
     }
     const auto settled = [&](const Pixel& pixel) { return is_settled(job, pixel); };
@@ -64,14 +86,25 @@ void sample_block(const BlockJob& job, Block& block) {
   }
 }
 
+/// What the samples say; without any, what is proven.
+PixelEstimate estimate_of(const Pixel& pixel) {
+  PixelEstimate estimate = estimate_pixel(pixel.sums);
+  if (pixel.proof == LightProof::none) return estimate;
+  estimate.visibility_se = 0.0;
+  if (estimate.sample_count > 0 || pixel.proof != LightProof::lit) return estimate;
+  estimate.visibility = estimate.half_a = estimate.half_b = 1.0;
+  estimate.irradiance_ratio = is_unlit(pixel.patch) ? 0.0 : 1.0;
+  return estimate;
+}
+
 }  // namespace
 
 void render_block(const BlockJob& job, int x0, int y0, ReferencePlanes& planes) {
   Block block = shoot_primary(job, x0, y0, planes);
+  prove(job, block);
   sample_block(job, block);
   for (const Pixel& pixel : block.used()) {
-    PixelEstimate estimate = estimate_pixel(pixel.sums);
-    if (is_below_horizon(pixel.patch)) estimate.visibility_se = 0.0;
+    const PixelEstimate estimate = estimate_of(pixel);
     BlockerStatistics blockers;
     if (estimate.visibility < 1.0) {
       blockers = probe_blockers(job.embree, pixel.ray_origin_world, pixel.patch, job.sets, pixel.seed);

@@ -2,6 +2,7 @@
 // A small square of pixels from primary hits to finished channels: the grain of adaptive sampling.
 
 #include "reference/embree_scene.h"
+#include "reference/occluder_tree.h"
 #include "reference/primary_hit.h"
 #include "reference/reference_planes.h"
 #include "reference/sample_sets.h"
@@ -22,10 +23,15 @@ struct BlockJob {
   uint64_t seed = 1;
   double scene_extent_world = 0.0;  // the greatest coordinate: what rounding errors scale with
   std::optional<double> target_se;
+  const Scene& scene;
+  const OccluderTree& occluders;
+  bool skip_proven = true;
 };
 
 /// Renders the block whose first pixel is (x0, y0), cut at the picture's border. Every pixel gets the same
-/// number of samples: as many as the noisiest one needs for target_se, or all of the sets' points.
+/// number of samples: as many as the noisiest one needs for target_se, or all of the sets' points. Pixels whose
+/// visibility is proven (reference/light_proof.h) take no part in that; they get no samples, or with skip_proven
+/// off as many as the others and the same values.
 void render_block(const BlockJob& job, int x0, int y0, ReferencePlanes& planes);
 
 }  // namespace umbrameter

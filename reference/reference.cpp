@@ -89,14 +89,24 @@ class ReferenceRenderer final : public Renderer {
   Frame render(const Scene& scene, const RenderRequest& request, Progress& progress) override {
     const auto start = std::chrono::steady_clock::now();
     require_valid(scene, request);
-    arena_.execute([&] { embree_.load(scene); });
+    arena_.execute([&] {
+      if (embree_.load(scene)) occluders_.build(embree_, scene);
+    });
 
     Frame frame;
     frame.image = Image(request.width_px, request.height_px);
     ReferencePlanes planes(frame.image);
     const PrimaryCamera camera(scene, request.width_px, request.height_px);
-    const BlockJob job{scene.light(),      embree_, camera, sets_, request.seed, extent_of(scene),
-                       settings_.target_se};
+    const BlockJob job{scene.light(),
+                       embree_,
+                       camera,
+                       sets_,
+                       request.seed,
+                       extent_of(scene),
+                       settings_.target_se,
+                       scene,
+                       occluders_,
+                       settings_.skip_proven};
     render_tiles(job, planes, progress);
 
     if (settings_.target_se) warn_of_missed_target(frame.image, *settings_.target_se, frame.warnings);
@@ -128,6 +138,7 @@ class ReferenceRenderer final : public Renderer {
   SampleSets sets_;
   tbb::task_arena arena_;
   EmbreeScene embree_;
+  OccluderTree occluders_;
 };
 
 }  // namespace

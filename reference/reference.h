@@ -14,6 +14,8 @@ struct ReferenceSettings {
   /// When set, sampling of a pixel block stops once every pixel's visibility_se is at or below it.
   std::optional<double> target_se;
   int threads = 0;  // 0 = all
+  /// Off: pixels whose visibility is proven are sampled all the same. Only sample_count may change.
+  bool skip_proven = true;
 };
 
 // What the channels of core/renderer.h mean here, per pixel, seen through its centre:
@@ -22,13 +24,13 @@ struct ReferenceSettings {
 //       the receiver's geometric plane or behind a one-sided light is not seen.
 //   visibility_se
 //       Standard error of visibility from the spread of the replicates, never below 0.5 / samples: samples that all
-//       agree can still miss an occluder. 0 only where no light can come from by the geometry of the receiver alone.
+//       agree can still miss an occluder. 0 only where visibility is proven (reference/light_proof.h).
 //   irradiance_ratio
 //       S = sum(w v) / sum(w), w = cosine (shading normal) x cosine at the light x falloff; 0 where sum(w) is 0.
 //   unshadowed_irradiance
 //       unshadowed_irradiance() of scenes/light.h: per unit radiance; sun: per unit irradiance at normal incidence.
 //   sample_count
-//       Samples taken; 0 where none was needed.
+//       Samples taken; 0 where visibility is proven, unless skip_proven is off.
 //   blocker_distance, blocker_distance_min, blocker_layers
 //       From 16 further rays, where visibility < 1; 0 when none of them is blocked. Mean and least distance (world)
 //       from the receiver to the first surface on a blocked ray; mean number of layers on a blocked ray: its
