@@ -90,7 +90,7 @@ double slope(const std::vector<std::pair<double, double>>& samples_and_errors) {
 void run(const Picture& picture) {
   const Scene scene = load_scene(std::string(UMBRAMETER_SOURCE_DIR) + "/bench/cube.toml", SceneSearch{});
   std::cout << "kind,setting,cpu_s,rays_per_pixel,rmse_lit,proven_lit,proven_dark\n";
-  for (const double target : {0.01, 0.005, 0.002, 0.001}) {
+  for (const double target : {0.02, 0.01, 0.005, 0.002}) {
     print("target_se", target, measure(scene, picture, 1 << 16, target));
   }
   std::vector<std::pair<double, double>> errors;

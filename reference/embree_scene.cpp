@@ -52,6 +52,11 @@ bool EmbreeScene::load(const Scene& scene) {
   const std::string hash = hash_of_triangles(scene);
   if (scene_ && hash == loaded_hash_) return false;
   scene_.reset(rtcNewScene(device_.get()));
+  // Following a packet's frustum saves a third to a half of the time on bunny and Sponza; in a tree of a few leaves it
+  // costs a third.
+  constexpr size_t kFewTriangles = 256;
+  packet_flags_ = scene.triangles.size() < kFewTriangles ? RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT
+                                                         : RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   loaded_hash_.clear();
   rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
   rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_HIGH);

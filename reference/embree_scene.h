@@ -39,6 +39,8 @@ class EmbreeScene {
   RTCScene handle() const { return scene_.get(); }
   /// Lanes of the widest shadow-ray packet the device runs natively: 16, 8 or 4.
   int packet_width() const { return packet_width_; }
+  /// How packets of rays from one origin are traced fastest.
+  RTCIntersectContextFlags packet_flags() const { return packet_flags_; }
   uint64_t memory_bytes() const { return static_cast<uint64_t>(memory_bytes_.load()); }
   std::string version() const;
 
@@ -50,6 +52,7 @@ class EmbreeScene {
   EmbreeSceneHandle scene_;
   std::string loaded_hash_;
   int packet_width_ = 4;
+  RTCIntersectContextFlags packet_flags_ = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
 };
 
 }  // namespace umbrameter

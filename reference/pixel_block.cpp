@@ -1,6 +1,7 @@
 #include "reference/pixel_block.h"
 
 #include "reference/light_proof.h"
+#include "reference/patch_irradiance.h"
 #include "reference/shadow_sampler.h"
 
 #include <algorithm>
@@ -43,8 +44,7 @@ Block shoot_primary(const BlockJob& job, int x0, int y0, ReferencePlanes& planes
         planes.write_light(index, {}, {});
         continue;
       }
-      planes.write_unshadowed_irradiance(
-          index, unshadowed_irradiance(job.light, receiver.p_world, receiver.n_shading_world));
+      planes.write_unshadowed_irradiance(index, unshadowed_irradiance(patch));
       block.pixels[block.count++] = {index,
                                      pixel_seed(job.seed, index),
                                      receiver.ray_origin_world,

@@ -9,49 +9,81 @@ namespace umbrameter {
 
 namespace {
 
-/// Traces the batch in packets of the device's own width.
+/// Packets of the device's own width for the batches of one pixel: what its rays share is copied once.
 template <int Width>
-void trace_in_packets(RTCScene scene, RTCIntersectContext& context, ShadowRayBatch& batch) {
-  for (uint32_t first = 0; first < kBatch; first += Width) {
-    typename ShadowPacket<Width>::Ray part = slice<Width>(batch.rays, first);
-    ShadowPacket<Width>::occluded(&batch.is_facing[first], scene, &context, &part);
-    std::copy_n(part.tfar, Width, batch.rays.tfar + first);
+class Tracer {
+ public:
+  Tracer(const EmbreeScene& embree, const ShadowRayBatch& batch) : scene_(embree.handle()) {
+    rtcInitIntersectContext(&context_);
+    context_.flags = embree.packet_flags();
+    for (uint32_t i = 0; i < kPackets; ++i) packets_[i] = slice<Width>(batch.rays, i * Width);
   }
-}
 
-void trace(const EmbreeScene& embree, RTCIntersectContext& context, ShadowRayBatch& batch) {
-  switch (embree.packet_width()) {
-    case 16:
-      rtcOccluded16(batch.is_facing.data(), embree.handle(), &context, &batch.rays);
-      break;
-    case 8:
-      trace_in_packets<8>(embree.handle(), context, batch);
-      break;
-    default:
-      trace_in_packets<4>(embree.handle(), context, batch);
+  void trace(ShadowRayBatch& batch) {
+    for (uint32_t i = 0; i < kPackets; ++i) {
+      const uint32_t first = i * Width;
+      auto& packet = packets_[i];
+      std::copy_n(batch.rays.dir_x + first, Width, packet.dir_x);
+      std::copy_n(batch.rays.dir_y + first, Width, packet.dir_y);
+      std::copy_n(batch.rays.dir_z + first, Width, packet.dir_z);
+      std::copy_n(batch.rays.tfar + first, Width, packet.tfar);
+      ShadowPacket<Width>::occluded(&batch.is_facing[first], scene_, &context_, &packet);
+      std::copy_n(packet.tfar, Width, batch.rays.tfar + first);
+    }
   }
+
+ private:
+  static constexpr uint32_t kPackets = kBatch / Width;
+  RTCScene scene_;
+  RTCIntersectContext context_;
+  std::array<typename ShadowPacket<Width>::Ray, kPackets> packets_;
+};
+
+/// The batch is a packet already.
+template <>
+class Tracer<16> {
+ public:
+  Tracer(const EmbreeScene& embree, const ShadowRayBatch&) : scene_(embree.handle()) {
+    rtcInitIntersectContext(&context_);
+    context_.flags = embree.packet_flags();
+  }
+  void trace(ShadowRayBatch& batch) { rtcOccluded16(batch.is_facing.data(), scene_, &context_, &batch.rays); }
+
+ private:
+  RTCScene scene_;
+  RTCIntersectContext context_;
+};
+
+template <int Width>
+void sample_in_packets(const EmbreeScene& embree, const glm::vec3& origin_world, const LightPatch& patch,
+                       const SampleSets& sets, uint32_t seed, uint32_t points, PixelSums& sums) {
+  ShadowRayBatch batch(origin_world);
+  Tracer<Width> tracer(embree, batch);
+  for (uint32_t r = 0; r < kReplicates; ++r) {
+    const SampleStream stream = sets.stream(seed, r);
+    LaneSums lanes;
+    for (uint32_t first = sums.points; first < points; first += kBatch) {
+      make_shadow_rays(patch, stream, first, points, batch);
+      if (batch.any_facing) tracer.trace(batch);
+      add_rays(batch, lanes);
+    }
+    add_lanes(lanes, sums.replicates[r]);
+  }
+  sums.points = points;
 }
 
 }  // namespace
 
 void sample_pixel(const EmbreeScene& embree, const glm::vec3& origin_world, const LightPatch& patch,
                   const SampleSets& sets, uint32_t seed, uint32_t points, PixelSums& sums) {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  // The rays of a batch share their origin and lie close together on the light.
-  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  ShadowRayBatch batch(origin_world);
-  for (uint32_t r = 0; r < kReplicates; ++r) {
-    const SampleStream stream = sets.stream(seed, r);
-    LaneSums lanes;
-    for (uint32_t first = sums.points; first < points; first += kBatch) {
-      make_shadow_rays(patch, stream, first, points, batch);
-      if (batch.any_facing) trace(embree, context, batch);
-      add_rays(batch, lanes);
-    }
-    add_lanes(lanes, sums.replicates[r]);
+  switch (embree.packet_width()) {
+    case 16:
+      return sample_in_packets<16>(embree, origin_world, patch, sets, seed, points, sums);
+    case 8:
+      return sample_in_packets<8>(embree, origin_world, patch, sets, seed, points, sums);
+    default:
+      return sample_in_packets<4>(embree, origin_world, patch, sets, seed, points, sums);
   }
-  sums.points = points;
 }
 
 PixelEstimate estimate_pixel(const PixelSums& sums) {
