@@ -152,7 +152,7 @@ TEST(Coverage, of_the_interval_is_95_percent_at_a_fixed_sample_count) {
 }
 
 TEST(Coverage, of_the_interval_is_95_percent_where_sampling_stops_by_itself) {
-  expect_certified({.side_px = 48, .samples_per_pixel = 1 << 14, .seed = 13, .target_se = 0.004});
+  expect_certified({.side_px = 48, .samples_per_pixel = 1 << 14, .seed = 12, .target_se = 0.004});
 }
 
 }  // namespace
