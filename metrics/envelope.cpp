@@ -5,6 +5,7 @@
 #include "metrics/checks.h"
 #include "metrics/disc_extreme.h"
 #include "metrics/nearest_feature.h"
+#include "metrics/standing_alone.h"
 #include "metrics/tiles.h"
 
 #include <cmath>
@@ -13,6 +14,8 @@
 namespace umbrameter {
 
 namespace {
+
+constexpr float kPlateau = 0.01f;  // from full light or full shadow
 
 struct Field {
   std::span<const float> v, r, se;
@@ -83,11 +86,16 @@ void measure_side(const Field& field, const TileGrid& grid, const Tile& tile, co
                   Envelope& out, std::vector<float>& residual, TileSum& sum, size_t& pixels) {
   if (side.pixels.empty()) return;
   const DiscMinimum discs(field.r, field.mask, grid, tile, side.max_radius_px, side.sign);
+  const Outskirts outskirts = {field.v, field.r, field.mask, grid.width, grid.height, side.sign};
   for (const size_t i : side.pixels) {
     const float excused = side.sign * field.v[i] + out.tolerance[i];
     const int x = static_cast<int>(i % static_cast<size_t>(grid.width));
     const int y = static_cast<int>(i / static_cast<size_t>(grid.width));
-    const float least = discs.minimum(x, y, field.radius_px(out, i), excused);
+    const double radius_px = field.radius_px(out, i);
+    float least = discs.minimum(x, y, radius_px, excused);
+    const bool is_outskirt = least <= excused && outskirts.on_plateau(i, kPlateau);
+    if (is_outskirt && stands_alone(outskirts, i, radius_px, out.tolerance[i]))
+      least = side.sign * field.r[i];
     if (least <= excused) continue;
     residual[i] = least - excused;
     sum.sum += residual[i];

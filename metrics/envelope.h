@@ -19,7 +19,8 @@ struct EnvelopeSettings {
 };
 
 /// r = 1 px + radius_per_width * (width of the nearest penumbra); low and high are the least and greatest
-/// visibility of scored reference pixels within r.
+/// visibility of scored reference pixels within r. Where full light (full shadow) stands alone (metrics/standing_alone.h)
+/// its own value is low (high): light between a dark pixel and its shadow is no wider penumbra.
 struct Envelope {
   int width = 0, height = 0;
   std::vector<float> dark;               // [height][width] max(0, low - V - tolerance)

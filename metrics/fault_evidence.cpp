@@ -1,6 +1,7 @@
 #include "metrics/fault_evidence.h"
 
 #include "metrics/nearest_feature.h"
+#include "metrics/standing_alone.h"
 #include "metrics/tiles.h"
 
 #include <glm/geometric.hpp>
@@ -16,6 +17,7 @@ namespace {
 constexpr double kContactPixels = 6.0;
 constexpr double kContactTexels = 3.0;
 constexpr double kWidestContact = 3.0;        // px; below, a penumbra has no softness to be wrong
+constexpr double kReachWidths = 2.0;          // from one width outside to the far end of the penumbra
 constexpr double kEdgeTexels = 1.5;           // half a texel of sampling, one of its neighbour
 constexpr double kLargestFootprintPx = 16.0;  // beyond, most of a picture lies beside some edge
 // Of 16 probe rays all miss a blocker of a fifth of the light in 3 % of the pixels.
@@ -100,7 +102,12 @@ Signs signs_of(const FaultInput& input, size_t i, float residual, bool is_dark, 
   }
   if (nearest_edge < 0) return signs;
   const double distance = distance_px(input, i, nearest_edge), width_px = nearest_width_px(input, i);
-  add(Sign::near, width_px >= kWidestContact && distance <= width_px);
+  const bool is_near = width_px >= kWidestContact && distance <= width_px;
+  add(Sign::near, is_near);
+  const Outskirts outskirts = {
+      input.v, input.r, input.mask, input.surface.width, input.surface.height, is_dark ? 1.0f : -1.0f};
+  add(Sign::alone, is_near && outskirts.on_plateau(i, static_cast<float>(epsilon)) &&
+                       stands_alone(outskirts, i, kReachWidths * width_px, input.envelope.tolerance[i]));
   add(Sign::edge, at_coarse_edge(input, i, distance, width_px));
   return signs;
 }
@@ -118,7 +125,8 @@ Kind kind_of(Signs signs) {
   if (has(Sign::contact)) return Kind::contact;
   if (has(Sign::edge)) return Kind::edge;
   if (has(Sign::layered)) return Kind::layered;
-  return has(Sign::plain) ? Kind::plain : Kind::partial;
+  if (has(Sign::plain)) return Kind::plain;
+  return has(Sign::alone) ? Kind::alone : Kind::partial;
 }
 
 bool Evidence::is_mixed() const {

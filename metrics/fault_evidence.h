@@ -38,13 +38,14 @@ enum class Sign : uint8_t {
   near,        // within one width of a penumbra at least 3 px wide
   overlap,     // the nearest penumbra overlaps another
   separate,    // it has a ridge and overlaps none
+  alone,       // near, and no penumbra that reaches further explains it: metrics/standing_alone.h
 };
-inline constexpr size_t kSigns = 8;
-using Signs = uint8_t;  // bit 1 << Sign
+inline constexpr size_t kSigns = 9;
+using Signs = uint16_t;  // bit 1 << Sign
 
 /// What a pixel would be blamed for on its own; pixels of one kind make up a piece of a mixed component.
-enum class Kind : uint8_t { partial, plain, layered, edge, contact, terminator };
-inline constexpr size_t kKinds = 6;
+enum class Kind : uint8_t { partial, plain, alone, layered, edge, contact, terminator };
+inline constexpr size_t kKinds = 7;
 Kind kind_of(Signs signs);
 
 /// Sums over a component. `mass` weighs by residual; the others are the mass that meets a condition.

@@ -82,10 +82,10 @@ bool may_be_ramp(const Evidence& e) {
   return std::abs(e.test - e.reference) <= 2.0 / 3.0 * e.mass;
 }
 
-// Wrong along a stretch of a penumbra and in it; speckles beside one are not its softness.
+// Wrong along a stretch of a penumbra and in it; speckles and stripes beside one are not its softness.
 bool is_softness(const Evidence& e) {
   const double partial = e.mass - e.of(Sign::plain);
-  return may_be_ramp(e) && e.mostly(Sign::near, 0.8) && partial > 0.1 * e.mass &&
+  return may_be_ramp(e) && !e.mostly(Sign::alone) && e.mostly(Sign::near, 0.8) && partial > 0.1 * e.mass &&
          static_cast<double>(e.pixels) * e.mass >= 2.0 * e.width_px;
 }
 
@@ -97,7 +97,7 @@ FaultClass cause_of_dark(const Evidence& e, const FaultSettings&) {
   if (e.mostly(Sign::terminator)) return FaultClass::terminator;
   if (e.mostly(Sign::edge)) return FaultClass::resolution;
   if (is_softness(e)) return softness(e);
-  return e.mostly(Sign::plain) ? FaultClass::acne : softness(e);
+  return e.mostly(Sign::plain) || e.mostly(Sign::alone) ? FaultClass::acne : softness(e);
 }
 
 FaultClass cause_of_bright(const Evidence& e, const FaultSettings& settings) {
@@ -106,7 +106,8 @@ FaultClass cause_of_bright(const Evidence& e, const FaultSettings& settings) {
   if (e.mostly(Sign::edge)) return FaultClass::resolution;
   if (is_softness(e)) return softness(e);
   if (e.mostly(Sign::layered) && e.test <= settings.bleed_max_visibility * e.mass) return FaultClass::bleed;
-  return e.mostly(Sign::plain) || !may_be_ramp(e) ? FaultClass::geometric_leak : softness(e);
+  return e.mostly(Sign::plain) || e.mostly(Sign::alone) || !may_be_ramp(e) ? FaultClass::geometric_leak
+                                                                           : softness(e);
 }
 
 using Cause = FaultClass (*)(const Evidence&, const FaultSettings&);

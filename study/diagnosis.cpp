@@ -6,7 +6,7 @@ namespace umbrameter {
 namespace {
 
 bool is_fault(FaultClass fault) {
-  return fault != FaultClass::unscored && fault != FaultClass::explained && fault != FaultClass::penumbra;
+  return fault != FaultClass::unscored && fault != FaultClass::explained;
 }
 
 std::optional<Spread> offset_widths(const PenumbraError& penumbra) {

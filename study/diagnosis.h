@@ -52,8 +52,8 @@ struct DiagnosedImage {
   std::vector<FaultClass> classes;  // [height][width]
 };
 
-/// The fault with the largest part of the mean absolute error. A wrong softness is no fault in this sense:
-/// the penumbra's width says it better. Absent without any.
+/// The class with the largest part of the mean absolute error, a wrong softness among them; not what is explained.
+/// Absent without any.
 std::optional<FaultClass> worst_fault(const FaultNumbers& faults);
 
 /// Needs visibility in `test` (and uses texel.x, texel.y, texel_world if there), and in `reference` also visibility_se, position, normal, shading_normal,

@@ -86,11 +86,11 @@ std::vector<BenignVariant> benign_list() {
 }
 
 std::vector<MaskCase> mask_list() {
-  return {{"speckle in the open", FaultClass::acne, true, painted_on_exact(speckle_in_the_open)},
-          {"stripes in the open", FaultClass::acne, true, painted_on_exact(stripes_in_the_open)},
-          {"leak slit", FaultClass::geometric_leak, true, painted_on_exact(light_leak_slit)},
-          {"speckle anywhere lit", FaultClass::acne, false, painted_on_exact(speckle)},
-          {"stripes anywhere lit", FaultClass::acne, false, painted_on_exact(stripes)}};
+  return {{"speckle in the open", FaultClass::acne, painted_on_exact(speckle_in_the_open)},
+          {"stripes in the open", FaultClass::acne, painted_on_exact(stripes_in_the_open)},
+          {"leak slit", FaultClass::geometric_leak, painted_on_exact(light_leak_slit)},
+          {"speckle anywhere lit", FaultClass::acne, painted_on_exact(speckle)},
+          {"stripes anywhere lit", FaultClass::acne, painted_on_exact(stripes)}};
 }
 
 }  // namespace umbrameter

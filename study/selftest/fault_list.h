@@ -49,11 +49,10 @@ std::vector<FaultCase> fault_list();
 std::vector<BenignVariant> benign_list();
 
 /// Painted faults whose pixels are compared with those that the gate's classes name: speckle and stripes for acne, a
-/// slit for leaks, on the exact picture of any scene. Without a target where the definition of the class excuses some.
+/// slit for leaks, on the exact picture of any scene.
 struct MaskCase {
   std::string name;
   FaultClass fault = FaultClass::acne;
-  bool has_target = true;
   MakeTrial make;
 };
 std::vector<MaskCase> mask_list();

@@ -88,12 +88,11 @@ std::string ratio_text(const std::optional<double>& ratio) {
 
 std::string mask_table(const SelftestResults& results) {
   std::string text =
-      "| painted | class | scenes | pixels | precision | recall | target |\n|---|---|---|---|---|---|---|\n";
+      "| painted | class | scenes | pixels | precision | recall |\n|---|---|---|---|---|---|\n";
   for (const MaskOutcome& mask : results.masks_over_scenes()) {
     const auto scenes = std::ranges::count(results.masks, mask.name, &MaskOutcome::name);
-    text += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", mask.name, name_of(mask.fault), scenes,
-                        mask.painted, ratio_text(mask.precision()), ratio_text(mask.recall()),
-                        mask.has_target ? "0.95" : "none");
+    text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", mask.name, name_of(mask.fault), scenes,
+                        mask.painted, ratio_text(mask.precision()), ratio_text(mask.recall()));
   }
   return text;
 }

@@ -62,7 +62,7 @@ std::optional<MaskOutcome> count_mask(const MaskCase& mask, Stage& stage) {
   if (std::ranges::count(trial.injected, uint8_t{1}) == 0) return std::nullopt;
   const Judged judged = judge(trial, stage);
   keep_pictures(mask.name, trial, judged, stage);
-  MaskOutcome out = {mask.name, stage.name(), mask.fault, mask.has_target};
+  MaskOutcome out = {mask.name, stage.name(), mask.fault};
   for (size_t i = 0; i < trial.injected.size(); ++i) {
     const bool is_painted = trial.injected[i] != 0;
     const bool is_found =
@@ -110,8 +110,7 @@ std::vector<MaskOutcome> SelftestResults::masks_over_scenes() const {
   std::vector<MaskOutcome> sums;
   for (const MaskOutcome& mask : masks) {
     auto sum = std::ranges::find(sums, mask.name, &MaskOutcome::name);
-    if (sum == sums.end())
-      sum = sums.insert(sums.end(), MaskOutcome{mask.name, "", mask.fault, mask.has_target});
+    if (sum == sums.end()) sum = sums.insert(sums.end(), MaskOutcome{mask.name, "", mask.fault});
     sum->painted += mask.painted;
     sum->found += mask.found;
     sum->both += mask.both;
@@ -121,8 +120,7 @@ std::vector<MaskOutcome> SelftestResults::masks_over_scenes() const {
 
 bool SelftestResults::passes(const SelftestTargets& targets) const {
   const bool masks_pass = std::ranges::all_of(masks_over_scenes(), [&](const MaskOutcome& mask) {
-    return !mask.has_target ||
-           (mask.precision().value_or(0.0) >= targets.mask && mask.recall().value_or(0.0) >= targets.mask);
+    return mask.precision().value_or(0.0) >= targets.mask && mask.recall().value_or(0.0) >= targets.mask;
   });
   return !faults.empty() && found() == faults.size() && false_alarms() == 0 && masks_pass &&
          static_cast<double>(right()) >= targets.right * static_cast<double>(faults.size());

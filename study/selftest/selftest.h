@@ -30,7 +30,6 @@ struct BenignOutcome {
 struct MaskOutcome {
   std::string name, scene;
   FaultClass fault = FaultClass::acne;
-  bool has_target = true;
   size_t painted = 0, found = 0, both = 0;
   std::optional<double> precision() const;
   std::optional<double> recall() const;

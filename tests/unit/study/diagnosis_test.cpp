@@ -65,14 +65,15 @@ TEST(Diagnosis, ThatFailsLeavesTheScoreAndNamesThePixel) {
   EXPECT_EQ(format_worst_fault(leak.diagnosis), "n/a");
 }
 
-TEST(WorstFault, IsNeitherAWrongSoftnessNorWhatIsExplained) {
+TEST(WorstFault, IsTheClassWithTheMostErrorThatIsNotExplained) {
   FaultNumbers faults;
   const auto set = [&](FaultClass fault, double part) {
     faults.by_class[static_cast<size_t>(fault)].mean_abs_error = part;
   };
   set(FaultClass::explained, 0.5);
-  set(FaultClass::penumbra, 0.4);
   EXPECT_FALSE(worst_fault(faults));
+  set(FaultClass::penumbra, 0.05);
+  EXPECT_EQ(worst_fault(faults), FaultClass::penumbra);
   set(FaultClass::acne, 0.1);
   set(FaultClass::bleed, 0.2);
   set(FaultClass::overlap, 0.15);

@@ -1,0 +1,61 @@
+#include "metrics/standing_alone.h"
+
+#include <array>
+#include <cmath>
+
+namespace umbrameter {
+
+namespace {
+
+// More than grain of 64 taps and less than acne that anyone would see.
+constexpr float kRise = 0.1f;
+
+struct Direction {
+  double x, y;
+};
+constexpr double kHalf = 0.70710678, kLong = 0.92387953, kShort = 0.38268343;
+constexpr std::array<Direction, 16> kDirections = {{{1, 0},
+                                                    {0, 1},
+                                                    {-1, 0},
+                                                    {0, -1},
+                                                    {kHalf, kHalf},
+                                                    {-kHalf, kHalf},
+                                                    {-kHalf, -kHalf},
+                                                    {kHalf, -kHalf},
+                                                    {kLong, kShort},
+                                                    {kShort, kLong},
+                                                    {-kShort, kLong},
+                                                    {-kLong, kShort},
+                                                    {-kLong, -kShort},
+                                                    {-kShort, -kLong},
+                                                    {kShort, -kLong},
+                                                    {kLong, -kShort}}};
+
+bool leads_to_shade(const Outskirts& field, size_t i, const Direction& direction, double reach_px,
+                    float tolerance) {
+  const int x = static_cast<int>(i % static_cast<size_t>(field.width));
+  const int y = static_cast<int>(i / static_cast<size_t>(field.width));
+  const float own = field.sign * field.v[i];
+  for (int step = 1; step <= static_cast<int>(reach_px); ++step) {
+    const int to_x = x + static_cast<int>(std::lround(step * direction.x));
+    const int to_y = y + static_cast<int>(std::lround(step * direction.y));
+    if (to_x < 0 || to_x >= field.width || to_y < 0 || to_y >= field.height) return false;
+    const size_t to =
+        static_cast<size_t>(to_y) * static_cast<size_t>(field.width) + static_cast<size_t>(to_x);
+    if (field.mask[to] == 0) return false;
+    if (field.sign * field.r[to] <= own + tolerance) return true;
+    if (field.sign * field.v[to] > own + kRise) return false;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool stands_alone(const Outskirts& field, size_t i, double reach_px, float tolerance) {
+  for (const Direction& direction : kDirections) {
+    if (leads_to_shade(field, i, direction, reach_px, tolerance)) return false;
+  }
+  return true;
+}
+
+}  // namespace umbrameter
