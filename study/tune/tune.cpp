@@ -151,7 +151,9 @@ class Tuning {
       const std::string& name = space_[i].name;
       ParameterValues plainer = plain;
       plainer[name] = by_hand.at(name);
-      if (plainer != plain && !judge.is_worse(plainer, found.best.values, kWorthChanging)) plain = plainer;
+      if (plainer == plain || judge.is_worse(plainer, found.best.values, kWorthChanging)) continue;
+      // One camera's ruin is no certain difference: never end up worse than by hand.
+      if (judge.ratio(plainer) <= judge.ratio(by_hand)) plain = plainer;
     }
     found.best = {plain, point_of(space_, plain), judge.ratio(plain)};
   }

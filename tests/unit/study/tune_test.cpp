@@ -138,6 +138,32 @@ TEST_F(Tune, KeepsToThePresetThatIsAsGood) {
   EXPECT_EQ(bias_of(run().best.values), kBestBias);
 }
 
+/// Low errors want both a low bias and the flag; a low bias alone ruins the picture of one camera.
+class RuinedFromOneSide final : public Renderer {
+ public:
+  Frame render(const Scene& scene, const RenderRequest& request, Progress&) override {
+    if (request.technique.empty()) return frame_of(floor_image());
+    const bool is_low = bias_of(request.parameters) < 2.0;
+    const bool has_flag = std::get<bool>(request.parameters.at("flag"));
+    const bool is_ruined = is_low && !has_flag && scene.camera.eye_world.x > 2.0;  // +13 degrees, 10 away
+    const double error = is_ruined ? 0.4 : is_low ? 0.05 : 0.1;
+    return frame_of(technique_image(static_cast<float>(error + (has_flag ? 0.001 : 0.0))));
+  }
+};
+
+TEST_F(Tune, NeverEndsUpWorseThanByHand) {
+  Parameter flag;
+  flag.name = "flag";
+  flag.type = ParameterType::boolean;
+  flag.default_value = false;
+  plan.parameters.push_back(flag);
+  plan.technique.parameters = default_values(plan.parameters);
+  RuinedFromOneSide renderer;
+  const TuneResult result = run_tune(scenes, plan, renderer, progress);
+  for (const Candidate& other : result.others) EXPECT_LE(result.best.ratio, other.ratio) << other.name;
+  EXPECT_LT(result.best.ratio, 0.6);
+}
+
 TEST_F(Tune, BeginsSmallAndGoesOnAtFullSize) {
   plan.coarse = plan.full;  // the fake has one size; what counts is that both are searched
   const TuneResult result = run();
