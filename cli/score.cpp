@@ -11,6 +11,7 @@
 #include "study/results_json.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 namespace umbrameter {
 namespace {
@@ -66,6 +67,13 @@ void add_verdict(const std::string& baseline_file, const Image& test, const Imag
   if (!score.error || !baseline_score.error) return;
   score.judgement.verdict =
       judge_against({test, score.mask}, {baseline, baseline_score.mask}, baseline_file, reference);
+}
+
+std::string json_text(const Score& score, const ScoreInputs& inputs) {
+  auto json = nlohmann::ordered_json::parse(to_json_text(score, inputs.test_name, inputs.reference_name));
+  json["notes"] = inputs.notes;
+  json["mean_square_rounding"] = inputs.mean_square_rounding;
+  return json.dump(2) + "\n";
 }
 
 bool is_above_limit(const Score& score) {
