@@ -154,6 +154,17 @@ void write_results_folder(const LoadedSuite& suite, Renderer& realtime, const Gl
   print_note(fmt::format("wrote {}", (out / "report.html").string()));
 }
 
+/// Runs without numbers, which no update can accept.
+bool has_void(const RegressResults& checked) {
+  bool found = false;
+  for (const RegressCase& one : checked.cases) {
+    const bool is_void = !one.now && one.verdict.kind != "stale" && one.label != kTruthLabel;
+    if (is_void) print_error(fmt::format("{}, {}: {}", one.scene, one.label, one.verdict.message));
+    found = found || is_void;
+  }
+  return found;
+}
+
 void check_options(const RegressOptions& options, const GlobalOptions& global) {
   if (options.update && options.reason.empty())
     fail_input("--update needs --reason", {}, "say why the new numbers are right; the baseline keeps it");
@@ -187,7 +198,7 @@ int check(const RegressOptions& options, const GlobalOptions& global) {
   if (!options.annotate.empty()) print_answer(github_annotations(results));
   if (options.update) {
     update(suite, options, baseline, results, renderers, progress);
-    return kExitFine;
+    return has_void(results) ? kExitGateFailed : kExitFine;
   }
   if (results.passes()) return kExitFine;
   print_error(fmt::format("{} of {} cases fail", results.count(CaseOutcome::fail), results.cases.size()));

@@ -92,8 +92,7 @@ int score(const ScoreOptions& options, const GlobalOptions& global) {
   for (const std::string& note : inputs.notes) print_note(note);
   if (!options.report.empty() || !global.out.empty())
     write_score_results(inputs, settings, options.report, global.out);
-  print_answer(global.json ? to_json_text(result, inputs.test_name, inputs.reference_name)
-                           : score_text(result));
+  print_answer(global.json ? json_text(result, inputs) : score_text(result));
   if (result.no_diagnosis) print_error("the faults could not be told apart: " + result.no_diagnosis->message);
   if (is_above_limit(result)) print_error("the RMSE is above --limit");
   if (result.parity.passes) return is_above_limit(result) ? kExitGateFailed : kExitFine;

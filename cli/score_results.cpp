@@ -72,10 +72,6 @@ ValidationPlan plan_of(const ScoreInputs& inputs, const ScoreSettings& settings)
   return plan;
 }
 
-void copy_file(const std::filesystem::path& from, const std::filesystem::path& to) {
-  write_file_atomically(to, read_file(from));
-}
-
 }  // namespace
 
 void widen_by_rounding(double mean_square_rounding, VisibilityError& error) {
@@ -104,7 +100,7 @@ void write_score_results(const ScoreInputs& inputs, const ScoreSettings& setting
   }
   write_file_atomically(staging.folder() / "results.json", to_json_text(results));
   write_report(staging.folder(), staging.folder() / "report.html");
-  if (!report.empty()) copy_file(staging.folder() / "report.html", report);
+  if (!report.empty()) write_file_atomically(report, read_file(staging.folder() / "report.html"));
   if (!keeps_folder) return;
   const std::filesystem::path folder = out;
   if (std::filesystem::exists(folder / "images"))

@@ -240,7 +240,7 @@ void check_truth(const BaselineScene* before, const RegressScene& scene, const R
   if (!difference) return;
   RegressCase out;
   out.scene = scene.name;
-  out.label = "truth";
+  out.label = kTruthLabel;
   out.verdict = not_compared("truth", "the truth is another although the scene is the same: " + *difference);
   results.cases.push_back(out);
 }

@@ -32,6 +32,9 @@ struct RegressPlan {
   RegressGates gates;
 };
 
+/// The label of the case that says that a scene's truth is another; such a case has no numbers.
+inline constexpr const char* kTruthLabel = "truth of the scene";
+
 struct RegressCase {
   std::string scene;
   std::string label;

@@ -56,7 +56,7 @@ Baseline updated(const Baseline& baseline, const RegressResults& checked, const 
     if (is_same) continue;
     if (one.verdict.kind == "stale") {
       drop(out, one);
-    } else if (one.verdict.kind == "truth" && is_void(one)) {
+    } else if (one.label == kTruthLabel) {
       scene_of(out, measured, one.scene);
     } else {
       const RegressCase* fresh = find_case(measured, one);
