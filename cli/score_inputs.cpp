@@ -70,7 +70,7 @@ Image read_surfaces(const ScoreInputOptions& options) {
 void note_rounding(const EngineVisibility& engine, ScoreInputs& inputs) {
   if (engine.dark > 0)
     inputs.notes.push_back(
-        fmt::format("{} pixels left out: as dark without shadows as a step, so 0 / 0", engine.dark));
+        fmt::format("{} pixels left out: so dark without shadows that their ratio is 0 / 0", engine.dark));
   if (engine.brighter > 0)
     inputs.notes.push_back(
         fmt::format("{} pixels left out: brighter with shadows than without", engine.brighter));

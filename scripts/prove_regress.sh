@@ -5,7 +5,7 @@
 # -f: only these scenes' faults; -F: no faults. Exit code 1 when a check fails or a fault is missed.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
-checks=200 suite="$root/studies/regress_small.toml" binary="$root/build/ci/cli/umbrameter" faults=1
+checks=200 suite="$root/suites/small.toml" binary="$root/build/ci/cli/umbrameter" faults=1
 devices=() scenes=()
 while getopts "n:s:b:d:f:F" option; do
   case $option in

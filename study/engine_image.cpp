@@ -16,7 +16,7 @@ namespace {
 constexpr std::array<const char*, 3> kTransfers = {"linear", "srgb", "gamma2.2"};
 // Rec. 709; sums to 1.
 constexpr double kRed = 0.2126, kGreen = 0.7152, kBlue = 0.0722;
-constexpr double kDarkSteps = 4.0;    // of the denominator: below, the ratio is off by an eighth and more
+constexpr double kDarkSteps = 16.0;   // of the denominator: below, a ratio of 1 is known to an eighth at best
 constexpr double kDarkShare = 1e-4;   // of the brightest pixel, for floats
 constexpr double kRatioSlack = 2e-3;  // half floats round by .0005 each
 

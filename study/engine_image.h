@@ -38,8 +38,8 @@ struct EngineVisibility {
   Image image;                     // visibility
   std::vector<float> rounding_sd;  // of visibility, from the steps
   std::vector<uint8_t> known;
-  size_t dark = 0;                    // left out: without shadows as dark as the steps, so 0 / 0
-  size_t brighter = 0;                // left out: with shadows brighter than without
+  size_t dark = 0;      // left out: without shadows so dark that a few steps make the ratio, 0 / 0
+  size_t brighter = 0;  // left out: with shadows brighter than without
   double mean_square_rounding = 0.0;  // over known pixels
   double largest_step = 0.0;          // of visibility, on known pixels
 };

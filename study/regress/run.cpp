@@ -1,12 +1,8 @@
 #include "study/regress/run.h"
 
-#include "study/frame_times.h"
-#include "study/guard.h"
-#include "study/metadata.h"
+#include "study/regress/scene_work.h"
 #include "study/regress/seed_noise.h"
 #include "study/renamed_progress.h"
-#include "study/selftest/stage.h"
-#include "study/timing.h"
 
 #include <fmt/format.h>
 
@@ -16,140 +12,6 @@ namespace umbrameter {
 namespace {
 
 constexpr int kSeeds = 3;  // pictures of a technique that a failure must hold for
-constexpr uint64_t kSeedStep = 1000003;
-
-/// A truth that can get more samples.
-class Truth {
- public:
-  Truth(const SceneJob& job, const RegressPlan& plan, const RegressRenderers& renderers, Progress& progress)
-      : job_(job), plan_(plan), renderers_(renderers), progress_(progress) {}
-
-  /// At least so many samples a pixel; those that are there are kept.
-  void grow_to(int samples) {
-    if (samples <= samples_) return;
-    const uint64_t seed = plan_.seed + kSeedStep * parts_++;
-    const auto renderer = renderers_.make_reference(samples - samples_);
-    RenderRequest request;
-    request.width_px = plan_.width_px;
-    request.height_px = plan_.height_px;
-    request.seed = seed;
-    Frame frame = renderer->render(job_.scene, request, progress_);
-    if (samples_ == 0) {
-      image_ = std::move(frame.image);
-      device_ = frame.device;
-    } else {
-      add_samples(image_, frame.image);
-    }
-    samples_ = samples;
-  }
-
-  const Image& image() const { return image_; }
-  int samples() const { return samples_; }
-  TruthNumbers numbers() const { return truth_numbers(image_, device_, plan_.seed); }
-
- private:
-  const SceneJob& job_;
-  const RegressPlan& plan_;
-  const RegressRenderers& renderers_;
-  Progress& progress_;
-  Image image_;
-  std::string device_;
-  int samples_ = 0;
-  uint64_t parts_ = 0;
-};
-
-struct SceneWork {
-  const SceneJob& job;
-  const RegressPlan& plan;
-  Renderer& realtime;
-  Progress& progress;
-};
-
-/// One run of a scene with its pictures of different seeds.
-struct RunWork {
-  const TechniqueRun& run;
-  std::vector<Image> pictures;
-  std::optional<Failure> failure;
-  BaselineRun described;  // all but its numbers
-  std::vector<uint8_t> mask;
-};
-
-RenderRequest request_of(const SceneWork& work, const TechniqueRun& run, uint64_t seed) {
-  RenderRequest request;
-  request.width_px = work.plan.width_px;
-  request.height_px = work.plan.height_px;
-  request.seed = seed;
-  request.technique = run.technique;
-  request.parameters = run.parameters;
-  return request;
-}
-
-std::vector<RunWork> first_pictures(const SceneWork& work, std::vector<Skip>& skipped) {
-  std::vector<RunWork> runs;
-  std::vector<LabelledRequest> requests;
-  for (const TechniqueRun& run : work.plan.runs) {
-    if (const auto reason = skip_reason(run, work.job.scene)) {
-      skipped.push_back({work.job.name, run.label, *reason});
-      continue;
-    }
-    runs.push_back({run, {}, {}, {run.label, run.id, run.hash, "", "", {}, {}}, {}});
-    requests.push_back({run.label, request_of(work, run, work.plan.seed)});
-  }
-  const TimingPlan timing = {work.plan.timed_frames, work.plan.timing_budget_s};
-  std::vector<TimedRun> timed =
-      render_interleaved(work.realtime, work.job.scene, requests, timing, work.progress);
-  for (size_t k = 0; k < runs.size(); ++k) {
-    runs[k].failure = timed[k].failure;
-    if (runs[k].failure) continue;
-    runs[k].described.parameters = to_text(timed[k].frame.parameters);
-    runs[k].described.device = timed[k].frame.device;
-    if (const auto total = total_time(summarise(timed[k].times)))
-      runs[k].described.time = BaselineTime{total->median_ms, total->mad_ms, total->frames};
-    runs[k].pictures.push_back(std::move(timed[k].frame.image));
-  }
-  return runs;
-}
-
-void add_picture(const SceneWork& work, RunWork& run) {
-  const uint64_t seed = work.plan.seed + kSeedStep * run.pictures.size();
-  run.failure = guarded([&] {
-    Frame frame = work.realtime.render(work.job.scene, request_of(work, run.run, seed), work.progress);
-    run.pictures.push_back(std::move(frame.image));
-  });
-}
-
-/// What the gate calls void, or the numbers of all pictures against this truth.
-struct Measured {
-  std::optional<CaseVerdict> voided;
-  std::optional<CaseNumbers> numbers;
-};
-
-std::string void_message(const GateRun& run) {
-  if (run.failure) return run.failure->message;
-  if (!run.metric_problems.empty()) return run.metric_problems.front();
-  if (!run.truth_problems.empty()) return run.truth_problems.front();
-  return "the renderers see other surfaces or another light";
-}
-
-Measured measure(const SceneWork& work, RunWork& run, const Image& truth, double seed_sd) {
-  GateRun failed;
-  failed.failure = run.failure;
-  std::vector<CaseNumbers> all;
-  for (const Image& picture : run.pictures) {
-    if (failed.failure) break;
-    Examined examined = examine(picture, truth, work.job.scene.camera.eye_world);
-    const GateVerdict verdict = judge_gate(examined.run, nullptr, false);
-    const bool is_void = verdict.measures.empty();
-    if (is_void) return {not_compared(std::string(name_of(*verdict.kind)), void_message(examined.run)), {}};
-    auto numbers = case_numbers(examined.run);
-    if (!numbers) return {not_compared("nothing", "no pixel could be scored"), {}};
-    numbers->seed_sd = seed_sd;
-    all.push_back(std::move(*numbers));
-    run.mask = std::move(examined.mask);
-  }
-  if (failed.failure) return {not_compared("failure", failed.failure->message), {}};
-  return {{}, mean_of(all)};
-}
 
 CaseVerdict judge(const Measured& measured, const RunWork& run, const BaselineRun& before,
                   const RegressGates& gates, bool is_same_device) {
@@ -308,8 +170,9 @@ void for_each_scene(std::span<const SceneJob> scenes, const RegressPlan& plan,
   for (size_t k = 0; k < scenes.size(); ++k) {
     const std::string prefix = prefix_of(scenes[k], k, scenes.size());
     RenamedProgress renamed(progress, [&](std::string_view task) { return prefix + std::string(task); });
-    Truth truth(scenes[k], plan, renderers, renamed);
-    work_on(SceneWork{scenes[k], plan, renderers.realtime, renamed}, truth);
+    const SceneWork work = {scenes[k], plan, renderers, renamed};
+    Truth truth(work);
+    work_on(work, truth);
   }
 }
 
