@@ -55,6 +55,7 @@ int run(int argc, char** argv) {
   add_techniques(app, line);
   add_scene(app, line);
   add_selftest(app, line);
+  add_regress(app, line);
   add_doctor(app, line);
   try {
     app.parse(argc, argv);

@@ -3,6 +3,7 @@
 #include "cli/console.h"
 #include "cli/home.h"
 #include "cli/quality.h"
+#include "cli/scene_export.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -123,6 +124,15 @@ void add_scene(CLI::App& app, CommandLine& line) {
   add_quality_options(*plan_verb, *quality);
   plan_verb->callback([names, quality, &line] {
     line.verb = [names, quality, &line] { return plan(*names, *quality, line.global); };
+  });
+  auto scene = std::make_shared<std::string>();
+  CLI::App* export_verb = verb->add_subcommand(
+      "export", "mesh, camera and light for another engine, into --out (docs/your-engine.md)");
+  export_verb->fallthrough();
+  export_verb->add_option("scene", *scene, "library name or scene file")->required();
+  add_quality_options(*export_verb, *quality);
+  export_verb->callback([scene, quality, &line] {
+    line.verb = [scene, quality, &line] { return export_scene(*scene, *quality, line.global); };
   });
 }
 

@@ -1,6 +1,8 @@
 #include "study/score.h"
 
 #include "cli/console.h"
+#include "cli/score_inputs.h"
+#include "cli/score_results.h"
 #include "cli/verbs.h"
 #include "core/image_io.h"
 #include "study/diagnosis_format.h"
@@ -9,13 +11,14 @@
 #include "study/results_json.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 namespace umbrameter {
 namespace {
 
 struct ScoreOptions {
-  std::string test;
-  std::string reference;
+  ScoreInputOptions inputs;
+  std::string report;
   std::string baseline;
   std::string metrics;
   std::optional<double> limit_rmse;
@@ -66,18 +69,30 @@ void add_verdict(const std::string& baseline_file, const Image& test, const Imag
       judge_against({test, score.mask}, {baseline, baseline_score.mask}, baseline_file, reference);
 }
 
+std::string json_text(const Score& score, const ScoreInputs& inputs) {
+  auto json = nlohmann::ordered_json::parse(to_json_text(score, inputs.test_name, inputs.reference_name));
+  json["notes"] = inputs.notes;
+  json["mean_square_rounding"] = inputs.mean_square_rounding;
+  return json.dump(2) + "\n";
+}
+
 bool is_above_limit(const Score& score) {
   return score.judgement.limit && score.judgement.limit->outcome == LimitOutcome::fail;
 }
 
 int score(const ScoreOptions& options, const GlobalOptions& global) {
-  const Image test = with_visibility(read_image(options.test), options.test);
-  const Image reference = read_image(options.reference);
-  const glm::dvec3 eye_world = eye_of(reference, options.reference);
+  const ScoreInputs inputs = load_score_inputs(options.inputs, global);
+  const Image &test = inputs.test, &reference = inputs.reference;
   const ScoreSettings settings = {choose_metrics(options.metrics), options.limit_rmse};
-  Score result = score_image(test, reference, eye_world, settings);
-  if (!options.baseline.empty()) add_verdict(options.baseline, test, reference, eye_world, result);
-  print_answer(global.json ? to_json_text(result, options.test, options.reference) : score_text(result));
+  Score result = score_image(test, reference, inputs.eye_world, settings);
+  if (result.error) widen_by_rounding(inputs.mean_square_rounding, *result.error);
+  if (settings.limit_rmse && result.error)
+    result.judgement.limit = judge_against(*settings.limit_rmse, *result.error, reference, result.mask);
+  if (!options.baseline.empty()) add_verdict(options.baseline, test, reference, inputs.eye_world, result);
+  for (const std::string& note : inputs.notes) print_note(note);
+  if (!options.report.empty() || !global.out.empty())
+    write_score_results(inputs, settings, options.report, global.out);
+  print_answer(global.json ? json_text(result, inputs) : score_text(result));
   if (result.no_diagnosis) print_error("the faults could not be told apart: " + result.no_diagnosis->message);
   if (is_above_limit(result)) print_error("the RMSE is above --limit");
   if (result.parity.passes) return is_above_limit(result) ? kExitGateFailed : kExitFine;
@@ -89,12 +104,12 @@ int score(const ScoreOptions& options, const GlobalOptions& global) {
 
 void add_score(CLI::App& app, CommandLine& line) {
   auto options = std::make_shared<ScoreOptions>();
-  CLI::App* verb =
-      app.add_subcommand("score", "score any image with a visibility channel against a reference");
+  CLI::App* verb = app.add_subcommand("score",
+                                      "score a picture of any engine against the truth "
+                                      "(docs/your-engine.md); --out writes what validate does");
   verb->fallthrough();
-  verb->add_option("test", options->test, "image: channel 'visibility', 'Y', a single channel, or grey RGB")
-      ->required();
-  verb->add_option("--reference", options->reference, "EXR made by 'umbrameter reference'")->required();
+  add_score_input_options(*verb, options->inputs);
+  verb->add_option("--report", options->report, "also write the page of 'report' to this file (.html)");
   verb->add_option("--baseline", options->baseline, "another image to compare with, pixel by pixel");
   verb->add_option("--limit", options->limit_rmse, "RMSE to keep; exit code 1 when it is above for certain")
       ->check(CLI::PositiveNumber);

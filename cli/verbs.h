@@ -40,6 +40,7 @@ void add_report(CLI::App& app, CommandLine& line);
 void add_techniques(CLI::App& app, CommandLine& line);
 void add_scene(CLI::App& app, CommandLine& line);
 void add_selftest(CLI::App& app, CommandLine& line);
+void add_regress(CLI::App& app, CommandLine& line);
 void add_doctor(CLI::App& app, CommandLine& line);
 
 }  // namespace umbrameter

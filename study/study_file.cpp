@@ -151,6 +151,15 @@ void read_effort(TomlReader& reader, StudyFile& study) {
     reader.fail("frame_budget_s", fmt::format("'frame_budget_s' is {}, not positive", study.frame_budget_s));
 }
 
+}  // namespace
+
+std::optional<PaperRatio> paper_ratio(const Claim& claim, const std::string& scene) {
+  for (const auto& [name, ratio] : claim.by_scene) {
+    if (name == scene) return ratio;
+  }
+  return claim.every_scene;
+}
+
 StudyFile read_study(const TomlNode& root) {
   TomlReader reader(root, "the study");
   const int64_t schema = reader.integer("schema");
@@ -174,15 +183,6 @@ StudyFile read_study(const TomlNode& root) {
   for (const TomlNode* table : reader.tables("claim")) study.claims.push_back(read_claim(*table, study));
   reader.finish();
   return study;
-}
-
-}  // namespace
-
-std::optional<PaperRatio> paper_ratio(const Claim& claim, const std::string& scene) {
-  for (const auto& [name, ratio] : claim.by_scene) {
-    if (name == scene) return ratio;
-  }
-  return claim.every_scene;
 }
 
 StudyFile parse_study(std::string_view document, const std::string& file) {

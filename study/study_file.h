@@ -70,6 +70,8 @@ inline constexpr size_t kMaxStudyRuns = 4096;
 /// of more than kMaxStudyRuns runs, and claims that say nothing.
 StudyFile parse_study(std::string_view document, const std::string& file);
 StudyFile load_study(const std::filesystem::path& path);
+/// The same of a table that is already parsed.
+StudyFile read_study(const TomlNode& root);
 
 std::string_view to_text(Quantity quantity);
 

@@ -1,0 +1,150 @@
+#include "study/format.h"
+#include "study/regress/output.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace umbrameter {
+namespace {
+
+using Row = std::vector<std::string>;
+
+std::string rmse_cell(const std::optional<BaselineRun>& run) {
+  return run ? format_interval(rmse_of(run->numbers)) : kNotApplicable;
+}
+
+std::string effort(const RegressCase& one) {
+  if (one.samples_per_pixel == 0) return kNotApplicable;
+  std::string text = fmt::format("{} samples a pixel", one.samples_per_pixel);
+  if (one.added_samples_per_pixel > 0) text += fmt::format(" ({} added)", one.added_samples_per_pixel);
+  return one.pictures > 1 ? text + fmt::format(", {} seeds", one.pictures) : text;
+}
+
+double worst_severity(const GateVerdict& gate) {
+  double worst = 0.0;
+  for (const GateMeasure& m : gate.measures) worst = std::max(worst, m.value ? m.severity() : 0.0);
+  return worst;
+}
+
+std::string gate_cell(const RegressCase& one) {
+  return one.verdict.gate.measures.empty() ? kNotApplicable
+                                           : fmt::format("{:.2f}", worst_severity(one.verdict.gate));
+}
+
+std::string verdict_cell(const RegressCase& one) {
+  const std::string outcome(name_of(one.verdict.outcome));
+  return one.verdict.kind.empty() ? outcome : outcome + ": " + one.verdict.kind;
+}
+
+std::string remarks(const RegressCase& one) {
+  std::string text = one.verdict.message;
+  for (const std::string& note : one.notes) text += (text.empty() ? "" : "; ") + note;
+  return text;
+}
+
+const Row kHeadings = {
+    "scene", "run",    "verdict", "RMSE before [95 %]", "RMSE now [95 %]", "nearest to a gate",
+    "truth", "remarks"};
+
+std::vector<Row> rows_of(const RegressResults& results) {
+  std::vector<Row> rows;
+  for (const RegressCase& one : results.cases) {
+    rows.push_back({one.scene, one.label, verdict_cell(one), rmse_cell(one.before), rmse_cell(one.now),
+                    gate_cell(one), effort(one), remarks(one)});
+  }
+  return rows;
+}
+
+std::string summary(const RegressResults& results) {
+  return fmt::format("{}: {} cases, {} pass, {} better, {} undecided, {} fail; {} x {} px, seed {}",
+                     results.suite, results.cases.size(), results.count(CaseOutcome::pass),
+                     results.count(CaseOutcome::better), results.count(CaseOutcome::undecided),
+                     results.count(CaseOutcome::fail), results.width_px, results.height_px, results.seed);
+}
+
+std::string escaped(const std::string& text, const char* what, const char* with) {
+  std::string out;
+  for (const char c : text) out += c == *what ? std::string(with) : std::string(1, c);
+  return out;
+}
+
+std::string html_escaped(std::string text) {
+  text = escaped(text, "&", "&amp;");
+  text = escaped(text, "<", "&lt;");
+  text = escaped(text, ">", "&gt;");
+  return escaped(text, "\"", "&quot;");
+}
+
+constexpr const char* kHtmlHead =
+    "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
+    "content=\"width=device-width\">\n<title>Regression</title>\n<style>\n"
+    ":root { color-scheme: light dark; font: 15px/1.4 system-ui, sans-serif }\n"
+    "table { border-collapse: collapse } td, th { padding: .3em .7em; text-align: left; vertical-align: top; "
+    "border-bottom: 1px solid #8886 }\n"
+    ".fail { background: #d0303033 } .undecided { background: #d0a03033 } .better { background: #30a05033 }\n"
+    "</style></head><body>\n";
+
+}  // namespace
+
+std::string regress_text(const RegressResults& results) {
+  std::string text;
+  for (const RegressCase& one : results.cases) {
+    const bool is_plain = one.verdict.outcome == CaseOutcome::pass && one.notes.empty();
+    if (is_plain && one.added_samples_per_pixel == 0) continue;
+    text += fmt::format("{}, {}: {}", one.scene, one.label, verdict_cell(one));
+    if (!remarks(one).empty()) text += ": " + remarks(one);
+    if (one.added_samples_per_pixel > 0 || one.pictures > 1) text += " [" + effort(one) + "]";
+    text += '\n';
+  }
+  for (const Skip& skip : results.skipped)
+    text += fmt::format("{}, {}: skipped: {}\n", skip.scene, skip.technique, skip.reason);
+  return text + summary(results) + '\n';
+}
+
+std::string regress_markdown(const RegressResults& results) {
+  const auto line = [](const Row& cells) {
+    std::string text = "|";
+    for (const std::string& cell : cells) text += " " + escaped(escaped(cell, "|", "\\|"), "\n", " ") + " |";
+    return text + '\n';
+  };
+  std::string text = "# Regression\n\n" + summary(results) + "\n\n" + line(kHeadings);
+  text += line(Row(kHeadings.size(), "---"));
+  for (const Row& row : rows_of(results)) text += line(row);
+  return text;
+}
+
+std::string regress_html(const RegressResults& results) {
+  std::string text = std::string(kHtmlHead) + "<h1>Regression</h1>\n<p>" + html_escaped(summary(results)) +
+                     "</p>\n<table>\n<tr>";
+  for (const std::string& heading : kHeadings) text += "<th scope=\"col\">" + html_escaped(heading) + "</th>";
+  text += "</tr>\n";
+  const std::vector<Row> rows = rows_of(results);
+  for (size_t k = 0; k < rows.size(); ++k) {
+    text += fmt::format("<tr class=\"{}\">", name_of(results.cases[k].verdict.outcome));
+    for (const std::string& cell : rows[k]) text += "<td>" + html_escaped(cell) + "</td>";
+    text += "</tr>\n";
+  }
+  return text + "</table>\n</body></html>\n";
+}
+
+std::string github_annotations(const RegressResults& results) {
+  const auto message = [](const std::string& text) {
+    return escaped(escaped(escaped(text, "%", "%25"), "\r", "%0D"), "\n", "%0A");
+  };
+  const auto property = [&](const std::string& text) {
+    return escaped(escaped(message(text), ":", "%3A"), ",", "%2C");
+  };
+  std::string text;
+  for (const RegressCase& one : results.cases) {
+    const bool fails = one.verdict.outcome == CaseOutcome::fail;
+    if (!fails && one.verdict.outcome != CaseOutcome::undecided) continue;
+    text += fmt::format("::{} title={}::{}\n", fails ? "error" : "warning",
+                        property(fmt::format("{}, {}: {}", one.scene, one.label, one.verdict.kind)),
+                        message(remarks(one)));
+  }
+  return text;
+}
+
+}  // namespace umbrameter

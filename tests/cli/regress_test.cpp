@@ -1,0 +1,151 @@
+// Without these, a regression gate could pass a leak, fail without a change, or forget why a baseline changed.
+
+#include "tests/cli/cli_fixture.h"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+#include <sstream>
+
+namespace umbrameter {
+namespace {
+
+using Json = nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
+
+class Regress : public CliTest {
+ protected:
+  void SetUp() override { require_gl(); }
+
+  // A suite of one scene of its own; `run` is what its pcss gets, `more` stands before the runs.
+  void write_suite(const std::string& run = "search_taps = 16", const std::string& more = {},
+                   const std::string& after = {}) const {
+    write("suite.toml",
+          "schema = 1\ntitle = \"t\"\nscenes = [\"scene.toml\"]\nwidth_px = 128\nheight_px = 72\n"
+          "samples_per_pixel = 64\nmost_samples_per_pixel = 128\n" +
+              more + "[[run]]\nlabel = \"soft\"\ntechnique = \"pcss\"\nvalues = { " + run + " }\n" + after);
+  }
+  ProcessResult regress(const std::string& part, std::vector<std::string> more = {}) const {
+    std::vector<std::string> arguments = {"regress", part, "suite.toml", "--baseline", "base"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return umbrameter(arguments);
+  }
+  void record() const {
+    write_scene("scene.toml");
+    write_suite();
+    const ProcessResult result = regress("record");
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+  }
+  std::string baseline() const {
+    std::ifstream file(folder() / "base" / "suite.toml");
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+  }
+  // The baseline with `from`, which stands in it, replaced.
+  void edit_baseline(const std::string& from, const std::string& to) const {
+    std::string text = baseline();
+    const size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    write("base/suite.toml", text.replace(at, from.size(), to));
+  }
+};
+
+TEST_F(Regress, PassesWithoutAChangeForOtherSeedsAndThreads) {
+  record();
+  for (const char* seed : {"1", "2", "3", "4"}) {
+    const ProcessResult result = regress("check", {"--seed", seed, "--threads", seed, "--json"});
+    EXPECT_EQ(result.exit_code, 0) << seed << result.err << result.out;
+    EXPECT_EQ(Json::parse(result.out)["fail"], 0);
+  }
+}
+
+TEST_F(Regress, AWorseTechniqueFailsEverywhereItIsAsked) {
+  record();
+  // The same values as far as the file knows, but the shadows of a hard map.
+  const std::string before = baseline();
+  write_suite("filter_taps = 1");
+  const std::string parameters = regress("check", {"--json"}).out;
+  const Json other = Json::parse(parameters)["cases"][0];
+  EXPECT_EQ(other["kind"], "run");
+  const size_t start = before.find("parameters = ") + 14;
+  edit_baseline(before.substr(start, before.find('"', start) - start), other["now"]["parameters"]);
+  const ProcessResult result =
+      regress("check", {"--junit", "j.xml", "--annotate", "github", "--report", "r.md"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.out, HasSubstr("::error title=scene.toml%2C soft%3A "));
+  EXPECT_THAT(result.out, HasSubstr("64 added"));  // a failure must hold with all samples and three seeds
+  EXPECT_THAT(result.out, HasSubstr("3 seeds"));
+  EXPECT_THAT(result.err, HasSubstr("1 of 1 cases fail"));
+  std::ifstream junit(folder() / "j.xml"), report(folder() / "r.md");
+  std::ostringstream xml, table;
+  xml << junit.rdbuf();
+  table << report.rdbuf();
+  EXPECT_THAT(xml.str(), HasSubstr("failures=\"1\""));
+  EXPECT_THAT(table.str(), HasSubstr("| scene.toml | soft | fail: "));
+}
+
+TEST_F(Regress, AnotherSceneIsSaidToBeOne) {
+  record();
+  write_scene("scene.toml", "[[mesh]]\nshape = \"plate\"\nsize = [1, 1]\ntranslate = [2, 1, 0]\n");
+  const ProcessResult result = regress("check");
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.out, HasSubstr("the scene is another"));
+}
+
+TEST_F(Regress, MissingAndStaleEntriesAreSaid) {
+  record();
+  edit_baseline("label = \"soft\"", "label = \"gone\"");
+  const ProcessResult result = regress("check");
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.out, HasSubstr("scene.toml, soft: fail: missing"));
+  EXPECT_THAT(result.out, HasSubstr("scene.toml, gone: fail: stale"));
+  const ProcessResult none = umbrameter({"regress", "check", "suite.toml", "--baseline", "nowhere"});
+  expect_bad_input(none, "regress record");
+}
+
+TEST_F(Regress, AnUpdateNeedsAReasonAndKeepsIt) {
+  record();
+  edit_baseline("label = \"soft\"", "label = \"gone\"");
+  expect_bad_input(regress("check", {"--update"}), "--update needs --reason");
+  const ProcessResult result = regress("check", {"--update", "--reason", "renamed \"gone\""});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(baseline(), HasSubstr("text = \"renamed \\\"gone\\\"\""));
+  EXPECT_THAT(baseline(), HasSubstr("changed = [\"scene.toml, soft\", \"scene.toml, gone\"]"));
+  EXPECT_THAT(baseline(), Not(HasSubstr("label = \"gone\"")));
+  EXPECT_EQ(regress("check").exit_code, 0);
+  const std::string kept = baseline();
+  EXPECT_EQ(regress("check", {"--update", "--reason", "nothing"}).exit_code, 0);
+  EXPECT_EQ(baseline(), kept);  // what is the same stays, byte for byte
+}
+
+TEST_F(Regress, ARecordIsNotOverwrittenByChance) {
+  record();
+  expect_bad_input(regress("record"), "is there already");
+}
+
+TEST_F(Regress, ABrokenTechniqueFailsWithItsMessage) {
+  record();
+  const std::filesystem::path home = std::filesystem::path(UMBRAMETER_SOURCE_DIR) / "realtime" / "techniques";
+  std::filesystem::copy(home / "pcss", folder() / "pcss.copy");
+  std::ofstream(folder() / "pcss.copy" / "pcss.frag", std::ios::app) << "\nno GLSL\n";
+  write("suite.toml",
+        "schema = 1\ntitle = \"t\"\nscenes = [\"scene.toml\"]\nwidth_px = 128\nheight_px = 72\n"
+        "samples_per_pixel = 64\n[[run]]\nlabel = \"soft\"\ntechnique = \"./pcss.copy\"\n");
+  const ProcessResult result = regress("check");
+  EXPECT_EQ(result.exit_code, 1) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("soft: fail: failure: "));
+  EXPECT_EQ(regress("check", {"--update", "--reason", "no"}).exit_code, 1);
+  EXPECT_THAT(baseline(), Not(HasSubstr("\"no\"")));
+}
+
+TEST_F(Regress, ABadSuiteIsBadInput) {
+  write_scene("scene.toml");
+  write_suite("search_taps = 16", "", "[gates]\nrachet = true\n");
+  expect_bad_input(regress("record"), "rachet");
+}
+
+}  // namespace
+}  // namespace umbrameter
