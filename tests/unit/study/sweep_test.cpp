@@ -28,6 +28,7 @@ class SweepTest : public testing::Test {
     scenes_[1].scene.hash = "another";
     for (const char* id : {"exact", "off", "broken"}) plan_.runs.push_back({fake_technique(id), 1});
     plan_.runs.push_back({fake_technique("sun-only", {LightType::sun}), 1});
+    for (BenchRun& run : plan_.runs) run.technique.hash = run.technique.id;  // folders that differ
     plan_.quality = {kFakeWidth_px, kFakeHeight_px, 64, {}, 1};
     plan_.makers = {"fake tracer", "fake device", "feed"};
     create_folder(scratch());
