@@ -16,6 +16,7 @@ namespace {
 struct Registry {
   std::mutex mutex;
   std::map<std::filesystem::path, TemporaryPlace> places;
+  std::string note = "interrupted; nothing was written";
 };
 
 /// Never destroyed: the signal thread may still look at it while the process ends.
@@ -40,7 +41,7 @@ void remove_for_good(const TemporaryPlace& place) {
   while (sigwait(&signals, &signal) != 0) continue;
   registry().mutex.lock();  // kept: nobody may register anything from here on
   for (const auto& [folder, place] : registry().places) remove_for_good(place);
-  print_note("interrupted; nothing was written");
+  print_note(registry().note);
   _exit(128 + signal);
 }
 
@@ -59,6 +60,11 @@ void install_interruption_handler() {
   }
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
   std::thread(wait_for_signal, signals).detach();
+}
+
+void set_interruption_note(const std::string& note) {
+  const std::lock_guard lock(registry().mutex);
+  registry().note = note;
 }
 
 void remove_place(const TemporaryPlace& place) {

@@ -2,6 +2,7 @@
 // Ctrl-C: nothing half-written stays behind.
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace umbrameter {
@@ -10,6 +11,9 @@ namespace umbrameter {
 /// it before any thread starts: threads inherit the signal mask. A signal that is ignored (nohup) stays
 /// ignored.
 void install_interruption_handler();
+
+/// What is said then, instead of "nothing was written".
+void set_interruption_note(const std::string& note);
 
 /// A folder to be removed, and the parents that were made for it, innermost first, to be removed when empty.
 struct TemporaryPlace {

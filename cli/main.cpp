@@ -1,5 +1,6 @@
 #include "cli/console.h"
 #include "cli/interruption.h"
+#include "cli/sweep_verbs.h"
 #include "cli/verbs.h"
 #include "core/names.h"
 #include "umbrameter_version.h"
@@ -48,6 +49,10 @@ int run(int argc, char** argv) {
   add_validate(app, line);
   add_bench(app, line);
   add_tune(app, line);
+  add_plan(app, line);
+  add_sweep(app, line);
+  add_merge(app, line);
+  add_export(app, line);
   add_reference(app, line);
   add_render(app, line);
   add_score(app, line);

@@ -1,6 +1,7 @@
 // The Renderer over EGL and GL: keeps context, programs, and the last scene's buffers and G-buffer.
 
 #include "core/hash.h"
+#include "realtime/device_identity.h"
 #include "realtime/executor/check_visibility.h"
 #include "realtime/executor/execute.h"
 #include "realtime/executor/receivers.h"
@@ -115,6 +116,8 @@ class GlRenderer final : public Renderer {
   PreparedRun prepare(const Scene& scene, const RenderRequest& request, Progress& progress) override {
     return make_prepared(scene, request, true, progress);
   }
+
+  const GlDevice& device() const { return context_.device(); }
 
  private:
   PreparedRun make_prepared(const Scene& scene, const RenderRequest& request, bool is_timed,
@@ -252,6 +255,12 @@ class GlRenderer final : public Renderer {
 
 std::unique_ptr<Renderer> make_realtime_renderer(const RealtimeSettings& settings) {
   return std::make_unique<GlRenderer>(settings);
+}
+
+std::string device_identity(const Renderer& renderer) {
+  const auto* gl = dynamic_cast<const GlRenderer*>(&renderer);
+  UMBRAMETER_ASSERT(gl != nullptr, "not a real-time renderer");
+  return fmt::format("{}, {}", gl->device().renderer, gl->device().version);
 }
 
 }  // namespace umbrameter

@@ -1,4 +1,5 @@
 #include "study/bench_json.h"
+#include "study/csv.h"
 #include "study/metadata.h"
 
 #include <fmt/format.h>
@@ -6,39 +7,20 @@
 namespace umbrameter {
 namespace {
 
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"') result += '"';
-    result += c;
-  }
-  return result + '"';
-}
-
-std::string number(double value) {
-  return fmt::format("{:.9g}", value);
-}
-
-std::string line(const std::vector<std::string>& cells) {
-  std::string text;
-  for (const std::string& cell : cells) text += (text.empty() ? "" : ",") + quoted(cell);
-  return text + "\n";
-}
-
 void add_interval(const std::optional<Interval>& interval, std::vector<std::string>& cells) {
   if (!interval) {
     cells.insert(cells.end(), 3, "");
     return;
   }
-  for (const double value : {interval->value, interval->low, interval->high}) cells.push_back(number(value));
+  for (const double value : {interval->value, interval->low, interval->high})
+    cells.push_back(csv_number(value));
 }
 
 std::string pass_text(const std::vector<PassTime>& times) {
   std::string text;
   for (const PassTime& time : times) {
     if (time.pass == "total") continue;
-    text += fmt::format("{}{}={}", text.empty() ? "" : "; ", time.pass, number(time.median_ms));
+    text += fmt::format("{}{}={}", text.empty() ? "" : "; ", time.pass, csv_number(time.median_ms));
   }
   return text;
 }
@@ -66,11 +48,11 @@ std::vector<std::string> cells(const BenchScene& scene, const BenchEntry& entry,
                                std::to_string(results.plan.width_px),
                                std::to_string(results.plan.height_px)};
   add_interval(entry.rmse, row);
-  row.push_back(entry.bias ? number(*entry.bias) : "");
-  row.push_back(total ? number(total->median_ms) : "");
-  row.push_back(entry.time_ms ? number(entry.time_ms->low) : "");
-  row.push_back(entry.time_ms ? number(entry.time_ms->high) : "");
-  row.push_back(total ? number(total->mad_ms) : "");
+  row.push_back(entry.bias ? csv_number(*entry.bias) : "");
+  row.push_back(total ? csv_number(total->median_ms) : "");
+  row.push_back(entry.time_ms ? csv_number(entry.time_ms->low) : "");
+  row.push_back(entry.time_ms ? csv_number(entry.time_ms->high) : "");
+  row.push_back(total ? csv_number(total->mad_ms) : "");
   row.push_back(total ? std::to_string(total->frames) : "0");
   row.push_back(pass_text(times));
   row.push_back(std::to_string(entry.memory_bytes));
@@ -87,12 +69,12 @@ std::vector<std::string> cells(const BenchScene& scene, const BenchEntry& entry,
 
 std::string to_csv(const BenchResults& results) {
   std::string text =
-      line({"scene",     "scene_hash",  "label",    "technique", "parameters",   "seed",    "width_px",
-            "height_px", "rmse",        "rmse_low", "rmse_high", "bias",         "time_ms", "time_low",
-            "time_high", "time_mad",    "frames",   "pass_ms",   "memory_bytes", "front",   "timer",
-            "device",    "device_kind", "commit",   "failure"});
+      csv_line({"scene",     "scene_hash",  "label",    "technique", "parameters",   "seed",    "width_px",
+                "height_px", "rmse",        "rmse_low", "rmse_high", "bias",         "time_ms", "time_low",
+                "time_high", "time_mad",    "frames",   "pass_ms",   "memory_bytes", "front",   "timer",
+                "device",    "device_kind", "commit",   "failure"});
   for (const BenchScene& scene : results.scenes) {
-    for (const BenchEntry& entry : scene.entries) text += line(cells(scene, entry, results));
+    for (const BenchEntry& entry : scene.entries) text += csv_line(cells(scene, entry, results));
   }
   return text;
 }

@@ -1,6 +1,7 @@
 #include "study/run_grid.h"
 
 #include "core/names.h"
+#include "study/run_sample.h"
 
 #include <fmt/format.h>
 
@@ -161,8 +162,12 @@ std::vector<std::string> fill_label(std::string& label, const StudyRun& run) {
   return named;
 }
 
-StudyRun point(const StudyRun& run, const std::vector<Axis>& axes, size_t index) {
+/// Samples run fastest.
+StudyRun point(const StudyRun& run, const std::vector<Axis>& axes, const std::vector<SamplePoint>& samples,
+               size_t index) {
   StudyRun chosen = run;
+  const SamplePoint& sample = samples[index % samples.size()];
+  index /= samples.size();
   std::vector<size_t> places(axes.size());
   for (size_t k = axes.size(); k-- > 0;) {
     places[k] = index % axes[k].values.size();
@@ -170,12 +175,29 @@ StudyRun point(const StudyRun& run, const std::vector<Axis>& axes, size_t index)
   }
   for (size_t k = 0; k < axes.size(); ++k)
     chosen.values.emplace_back(axes[k].name, axes[k].values[places[k]]);
+  chosen.values.insert(chosen.values.end(), sample.begin(), sample.end());
   const std::vector<std::string> named = fill_label(chosen.label, chosen);
-  for (size_t k = 0; k < axes.size(); ++k) {
-    if (!axes[k].is_list || std::ranges::find(named, axes[k].name) != named.end()) continue;
-    chosen.label += fmt::format(" {}={}", axes[k].name, text_of(chosen.values[k].second));
+  for (size_t k = 0; k < chosen.values.size(); ++k) {
+    const auto& [name, value] = chosen.values[k];
+    const bool varies = k >= axes.size() || axes[k].is_list;
+    if (varies && std::ranges::find(named, name) == named.end())
+      chosen.label += fmt::format(" {}={}", name, text_of(value));
   }
   return chosen;
+}
+
+/// One empty point without `[run.sample]`.
+std::vector<SamplePoint> read_sample_table(TomlReader& reader, const std::vector<Axis>& axes) {
+  const TomlNode* table = reader.find("sample");
+  if (table == nullptr) return {SamplePoint{}};
+  if (table->type != TomlNode::Type::table)
+    reader.fail("sample", fmt::format("'sample' is {}, not a table", describe(table->type)));
+  std::vector<SamplePoint> samples = read_samples(*table);
+  for (const auto& [name, value] : samples.front()) {
+    if (std::ranges::find(axes, name, &Axis::name) != axes.end())
+      fail_input(fmt::format("'{}' is among the values and among the samples", name), value.where);
+  }
+  return samples;
 }
 
 }  // namespace
@@ -194,8 +216,9 @@ std::vector<StudyRun> expand_run(const TomlNode& table) {
       reader.fail("values", fmt::format("'values' is {}, not a table", describe(values->type)));
     axes = read_axes(*values);
   }
+  const std::vector<SamplePoint> samples = read_sample_table(reader, axes);
   reader.finish();
-  size_t count = 1;
+  size_t count = samples.size();
   for (const Axis& axis : axes) {
     count *= axis.values.size();
     if (count > kMaxStudyRuns)
@@ -203,7 +226,7 @@ std::vector<StudyRun> expand_run(const TomlNode& table) {
                  run.where);
   }
   std::vector<StudyRun> runs;
-  for (size_t i = 0; i < count; ++i) runs.push_back(point(run, axes, i));
+  for (size_t i = 0; i < count; ++i) runs.push_back(point(run, axes, samples, i));
   return runs;
 }
 

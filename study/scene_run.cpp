@@ -64,6 +64,12 @@ void take_result(TimedRun& run, TechniqueFrame& out) {
   result.warnings = out.frame.warnings;
 }
 
+}  // namespace
+
+std::string SceneContext::relative(const std::string& file) const {
+  return "images/" + file_name_of(job.name) + "/" + file;
+}
+
 void summarise_errors(const Image& image, ReferenceResult& result) {
   const auto se = image.plane("visibility_se");
   const auto samples = image.plane("sample_count");
@@ -79,12 +85,6 @@ void summarise_errors(const Image& image, ReferenceResult& result) {
   if (covered == 0.0) return;
   result.mean_visibility_se /= covered;
   result.mean_sample_count /= covered;
-}
-
-}  // namespace
-
-std::string SceneContext::relative(const std::string& file) const {
-  return "images/" + file_name_of(job.name) + "/" + file;
 }
 
 RenderRequest request_of(const ValidationPlan& plan) {

@@ -31,6 +31,9 @@ RenderRequest request_of(const ValidationPlan& plan);
 /// turn; the others join `skipped`.
 std::vector<TechniqueFrame> render_techniques(const SceneContext& context, std::vector<Skip>& skipped);
 
+/// Sets the standard errors and sample counts over the covered pixels of a truth.
+void summarise_errors(const Image& image, ReferenceResult& result);
+
 /// Renders and stores the truth; sets scene.reference, or scene.failure.
 Frame render_reference(const SceneContext& context, SceneResult& scene);
 

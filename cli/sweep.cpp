@@ -1,0 +1,135 @@
+#include "cli/console.h"
+#include "cli/progress_bar.h"
+#include "cli/staging.h"
+#include "cli/study_runs.h"
+#include "cli/sweep_text.h"
+#include "cli/sweep_verbs.h"
+#include "core/error.h"
+#include "realtime/device_identity.h"
+#include "reference/reference.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+namespace umbrameter {
+namespace {
+
+struct SweepOptions {
+  std::string study;
+  std::string shard = "1/1";
+  std::string metrics;
+  bool no_reuse = false;
+  QualityOptions quality;
+};
+
+/// A study loaded and checked, with the renderer whose device its keys name.
+struct LoadedSweep {
+  SweepPlan plan;
+  std::vector<SceneJob> scenes;
+  std::unique_ptr<Renderer> realtime;
+};
+
+LoadedSweep load(const SweepOptions& options, const GlobalOptions& global, Progress& progress) {
+  const Home home = find_home();
+  const SceneSearch search = scene_search(global, home);
+  const StudyFile study = load_study(options.study);
+  const Quality quality = choose_study_quality(study, options.quality);
+  LoadedSweep loaded;
+  SweepPlan& plan = loaded.plan;
+  plan.runs = choose_study_runs(study, options.study, home);
+  plan.quality = {quality.width_px, quality.height_px, quality.samples_per_pixel, quality.target_se,
+                  quality.seed};
+  plan.metrics = choose_metrics(options.metrics);
+  plan.shard = parse_shard(options.shard);
+  plan.reuse = !options.no_reuse;
+  loaded.scenes = load_study_scenes(study, options.study, search, progress);
+  loaded.realtime = open_realtime_renderer(global, home);
+  plan.makers = {"Embree " UMBRAMETER_EMBREE_VERSION, device_identity(*loaded.realtime),
+                 hash_folder(home.shaders)};
+  return loaded;
+}
+
+void print_warnings(Store& store) {
+  for (const std::string& warning : store.take_warnings()) print_warning(warning);
+}
+
+int plan(const SweepOptions& options, const GlobalOptions& global) {
+  ProgressBar progress;
+  const LoadedSweep loaded = load(options, global, progress);
+  std::unique_ptr<Store> store;
+  if (!global.out.empty() && has_store(global.out))
+    store = std::make_unique<Store>(global.out, Database::Mode::read);
+  const std::vector<PlanStep> steps = plan_sweep(loaded.plan, loaded.scenes, store.get());
+  if (store) print_warnings(*store);
+  if (global.json) {
+    print_json(plan_json(loaded.plan, loaded.scenes, steps));
+  } else {
+    print_answer(plan_text(loaded.plan, loaded.scenes, steps));
+  }
+  return kExitFine;
+}
+
+int sweep(const SweepOptions& options, const GlobalOptions& global) {
+  if (global.out.empty()) fail_input("a sweep needs a folder to keep its results in", {}, "give --out DIR");
+  ProgressBar progress;
+  const LoadedSweep loaded = load(options, global, progress);
+  const PictureQuality& quality = loaded.plan.quality;
+  const auto reference =
+      make_reference_renderer({quality.samples_per_pixel, quality.target_se, global.threads});
+  Store store(global.out, Database::Mode::write);
+  const Staging scratch(std::filesystem::temp_directory_path());
+  set_interruption_note("interrupted; what was done is stored, the same command goes on from there");
+  const std::vector<PlanStep> steps = plan_sweep(loaded.plan, loaded.scenes, &store);
+  print_warnings(store);
+  int code = kExitFine;
+  const SweepOutcome outcome = run_sweep(loaded.plan, loaded.scenes, steps, {*reference, *loaded.realtime},
+                                         store, scratch.folder(), progress, [&](const Failure& failure) {
+                                           progress.clear();
+                                           print_error(failure.message);
+                                           code = std::max(code, exit_code(failure.kind));
+                                         });
+  print_warnings(store);
+  if (global.json) {
+    print_json(outcome_json(outcome));
+  } else {
+    print_answer(outcome_text(outcome));
+  }
+  return code;
+}
+
+CLI::App* add_study_verb(CLI::App& app, const char* name, const char* what, SweepOptions& options) {
+  CLI::App* verb = app.add_subcommand(name, what);
+  verb->fallthrough();
+  verb->add_option("study", options.study, "study file (docs/studies.md)")->required();
+  verb->add_option("--shard", options.shard, "i/n: the i-th of n parts, to be merged afterwards");
+  verb->add_option("--metrics", options.metrics, kMetricsHelp);
+  verb->add_flag("--no-reuse", options.no_reuse, "render again what is stored");
+  verb->add_option("--width", options.quality.width, "picture width in pixels, instead of the study's");
+  verb->add_option("--height", options.quality.height, "picture height in pixels, instead of the study's");
+  verb->add_option("--spp", options.quality.samples_per_pixel,
+                   "reference samples a pixel, instead of the study's");
+  return verb;
+}
+
+}  // namespace
+
+void add_plan(CLI::App& app, CommandLine& line) {
+  auto options = std::make_shared<SweepOptions>();
+  CLI::App* verb = add_study_verb(
+      app, "plan", "say what a sweep into --out would render, reuse and skip, why, and how long it takes",
+      *options);
+  verb->callback([options, &line] { line.verb = [options, &line] { return plan(*options, line.global); }; });
+}
+
+void add_sweep(CLI::App& app, CommandLine& line) {
+  auto options = std::make_shared<SweepOptions>();
+  CLI::App* verb = add_study_verb(
+      app, "sweep", "render and score a study's runs into the store --out; goes on where it was stopped",
+      *options);
+  verb->callback([options, &line] { line.verb = [options, &line] { return sweep(*options, line.global); }; });
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,168 @@
+#include "cli/sweep_text.h"
+
+#include "cli/console.h"
+#include "study/format.h"
+#include "study/json_parts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+namespace umbrameter {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string duration_text(double seconds) {
+  if (seconds < 10.0) return fmt::format("{:.1f} s", seconds);
+  if (seconds < 120.0) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 7200.0) return fmt::format("{:.0f} min", seconds / 60.0);
+  return fmt::format("{:.1f} h", seconds / 3600.0);
+}
+
+/// The totals of a plan.
+struct Totals {
+  std::map<StepAction, size_t> runs;
+  size_t references = 0;  // rendered
+  double estimated_s = 0.0, saved_s = 0.0;
+  bool is_rough = false;  // an estimate rests on the rough model
+};
+
+Totals totals_of(std::span<const PlanStep> steps) {
+  Totals totals;
+  for (const PlanStep& step : steps) {
+    const bool is_rendered = step.action == StepAction::render;
+    if (step.run) ++totals.runs[step.action];
+    if (!step.run && is_rendered) ++totals.references;
+    totals.estimated_s += step.estimated_s;
+    totals.saved_s += step.saved_s;
+    totals.is_rough = totals.is_rough || (is_rendered && step.like == 0);
+  }
+  return totals;
+}
+
+std::string label_of(const SweepPlan& plan, const PlanStep& step) {
+  if (!step.run) return "truth";
+  const BenchRun& run = plan.runs[*step.run];
+  return fmt::format("{} (seed {})", run.technique.label, run.seed);
+}
+
+/// Neighbours of one scene, action and reason.
+struct Group {
+  const PlanStep& first;
+  size_t count = 0;
+  double seconds = 0.0;
+};
+
+std::vector<Group> groups_of(std::span<const PlanStep> steps) {
+  std::vector<Group> groups;
+  for (const PlanStep& step : steps) {
+    const auto found = std::ranges::find_if(groups, [&](const Group& group) {
+      return group.first.scene == step.scene && group.first.run.has_value() == step.run.has_value() &&
+             group.first.action == step.action && group.first.reason == step.reason;
+    });
+    Group& group = found == groups.end() ? groups.emplace_back(Group{step}) : *found;
+    ++group.count;
+    group.seconds += step.estimated_s + step.saved_s;
+  }
+  return groups;
+}
+
+std::string run_count(size_t count, const char* what = "run") {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+std::string plan_text(const SweepPlan& plan, std::span<const SceneJob> scenes,
+                      std::span<const PlanStep> steps) {
+  std::vector<std::vector<std::string>> rows;
+  for (const Group& group : groups_of(steps)) {
+    rows.push_back(
+        {scenes[group.first.scene].name,
+         group.count == 1 ? label_of(plan, group.first) : run_count(group.count),
+         std::string(to_text(group.first.action)), group.first.reason,
+         (group.first.action == StepAction::render ? "" : "saves ") + duration_text(group.seconds)});
+  }
+  const Totals totals = totals_of(steps);
+  const auto count = [&](StepAction action) {
+    return totals.runs.contains(action) ? totals.runs.at(action) : 0;
+  };
+  return format_table({"scene", "what", "", "why", "time"}, rows) +
+         fmt::format("\n{} and {} to render, about {}{}; {} reused, {} skipped, which saves about {}\n",
+                     run_count(count(StepAction::render)), run_count(totals.references, "truth"),
+                     duration_text(totals.estimated_s), totals.is_rough ? " (partly a rough guess)" : "",
+                     count(StepAction::reuse), count(StepAction::skip), duration_text(totals.saved_s));
+}
+
+Json plan_json(const SweepPlan& plan, std::span<const SceneJob> scenes, std::span<const PlanStep> steps) {
+  Json list = Json::array();
+  for (const PlanStep& step : steps) {
+    Json json{{"action", to_text(step.action)},
+              {"scene", scenes[step.scene].name},
+              {"label", nullptr},
+              {"seed", nullptr},
+              {"reason", step.reason},
+              {"estimated_s", step.estimated_s},
+              {"saved_s", step.saved_s},
+              {"like", step.like},
+              {"key", step.key}};
+    if (step.run) json["label"] = plan.runs[*step.run].technique.label;
+    if (step.run) json["seed"] = plan.runs[*step.run].seed;
+    list.push_back(json);
+  }
+  const Totals totals = totals_of(steps);
+  Json json{{"schema", 1}};
+  for (const StepAction action : {StepAction::render, StepAction::reuse, StepAction::skip})
+    json[std::string(to_text(action))] = totals.runs.contains(action) ? totals.runs.at(action) : 0;
+  json["render_references"] = totals.references;
+  json["estimated_s"] = totals.estimated_s;
+  json["saved_s"] = totals.saved_s;
+  json["steps"] = list;
+  return json;
+}
+
+std::string outcome_text(const SweepOutcome& outcome) {
+  std::string text =
+      fmt::format("{} and {} rendered, {} reused, {} skipped", run_count(outcome.rendered),
+                  run_count(outcome.references_rendered, "truth"), outcome.reused, outcome.skipped);
+  if (outcome.not_done > 0) text += fmt::format(", {} not done without a truth", outcome.not_done);
+  if (!outcome.failures.empty()) text += fmt::format("; {} failed", outcome.failures.size());
+  return text + "\n";
+}
+
+Json outcome_json(const SweepOutcome& outcome) {
+  Json failures = Json::array();
+  for (const Failure& failure : outcome.failures) failures.push_back(failure_json(failure));
+  return {{"schema", 1},
+          {"rendered", outcome.rendered},
+          {"reused", outcome.reused},
+          {"skipped", outcome.skipped},
+          {"references_rendered", outcome.references_rendered},
+          {"not_done", outcome.not_done},
+          {"failures", failures}};
+}
+
+std::string stored_text(const StoredRuns& runs) {
+  std::vector<const RunRecord*> ranked;
+  for (const RunRecord& run : runs.runs) ranked.push_back(&run);
+  const auto rmse = [](const RunRecord& run) {
+    const bool has_one = run.result.error && run.result.error->rmse;
+    return has_one ? run.result.error->rmse->value : std::numeric_limits<double>::infinity();
+  };
+  std::ranges::stable_sort(ranked, [&](const RunRecord* a, const RunRecord* b) {
+    return a->head.scene != b->head.scene ? a->head.scene < b->head.scene : rmse(*a) < rmse(*b);
+  });
+  std::vector<std::vector<std::string>> rows;
+  for (const RunRecord* run : ranked) {
+    const auto& error = run->result.error;
+    rows.push_back({run->head.scene, run->result.label, std::to_string(run->head.seed),
+                    fmt::format("{} x {}", run->head.width_px, run->head.height_px),
+                    format_interval(error ? error->rmse : std::nullopt), status_of(*run)});
+  }
+  return format_table({"scene", "run", "seed", "px", "RMSE [95 %]", "status"}, rows);
+}
+
+}  // namespace umbrameter

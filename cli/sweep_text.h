@@ -1,0 +1,26 @@
+#pragma once
+// A sweep's plan and outcome, and what a store holds, as text and JSON.
+
+#include "study/sweep/export.h"
+#include "study/sweep/sweep.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <span>
+#include <string>
+
+namespace umbrameter {
+
+/// Steps of one scene with the same reason share a line.
+std::string plan_text(const SweepPlan& plan, std::span<const SceneJob> scenes,
+                      std::span<const PlanStep> steps);
+nlohmann::ordered_json plan_json(const SweepPlan& plan, std::span<const SceneJob> scenes,
+                                 std::span<const PlanStep> steps);
+
+std::string outcome_text(const SweepOutcome& outcome);
+nlohmann::ordered_json outcome_json(const SweepOutcome& outcome);
+
+/// Ranked by RMSE within a scene.
+std::string stored_text(const StoredRuns& runs);
+
+}  // namespace umbrameter

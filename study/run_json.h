@@ -1,0 +1,23 @@
+#pragma once
+// What results.json says of a run and of the truth (docs/results.md): the one writer and the one reader of such entries,
+// in results.json and in the store.
+
+#include "study/results.h"
+
+#include <nlohmann/json.hpp>
+
+#include <optional>
+
+namespace umbrameter {
+
+nlohmann::ordered_json error_json(const VisibilityError& error);
+nlohmann::ordered_json technique_json(const TechniqueResult& run);
+nlohmann::ordered_json reference_json(const std::optional<ReferenceResult>& reference);
+
+// Readers throw nlohmann::json::exception for anything else.
+std::optional<Failure> read_failure(const nlohmann::json& json);
+TechniqueResult read_technique(const nlohmann::json& json);
+std::optional<ReferenceResult> read_reference(const nlohmann::json& json);
+std::optional<ParityNumbers> read_parity(const nlohmann::json& json);
+
+}  // namespace umbrameter

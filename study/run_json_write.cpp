@@ -1,0 +1,88 @@
+#include "study/diagnosis_json.h"
+#include "study/json_optional.h"
+#include "study/json_parts.h"
+#include "study/judgement_json.h"
+#include "study/run_json.h"
+
+namespace umbrameter {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+Json region_json(const RegionError& region) {
+  return {{"pixels", region.pixels},
+          {"share", region.share},
+          {"mse", region.mse},
+          {"rmse", optional_json(region_rmse(region))},
+          {"bias", region.bias}};
+}
+
+Json temporal_json(const std::optional<TemporalNumbers>& temporal) {
+  if (!temporal) return nullptr;
+  return {{"frames", temporal->frames},
+          {"camera",
+           {{"points", temporal->camera.points},
+            {"rejected", temporal->camera.rejected},
+            {"test", optional_json(temporal->camera.test)},
+            {"reference", optional_json(temporal->camera.reference)},
+            {"excess", optional_json(temporal->camera.excess)}}},
+          {"light", {{"pixels", temporal->light.pixels}, {"rms", optional_json(temporal->light.rms)}}},
+          {"seed_noise", optional_json(temporal->seed_noise)}};
+}
+
+}  // namespace
+
+Json error_json(const VisibilityError& error) {
+  return {{"scored_pixels", error.scored_pixels},
+          {"mse", interval_json(error.mse)},
+          {"rmse", interval_json(error.rmse)},
+          {"mae", optional_json(error.mae)},
+          {"bias", optional_json(error.bias)},
+          {"over_shadowing", optional_json(error.over_shadowing)},
+          {"under_shadowing", optional_json(error.under_shadowing)},
+          {"noise_floor_mse", optional_json(error.noise_floor_mse)},
+          {"max_error", optional_json(error.max_error)},
+          {"lit", region_json(error.lit)},
+          {"umbra", region_json(error.umbra)},
+          {"penumbra", region_json(error.penumbra)}};
+}
+
+Json technique_json(const TechniqueResult& run) {
+  Json json{{"label", run.label},
+            {"technique", run.technique},
+            {"title", run.title},
+            {"hash", run.hash},
+            {"parameters", parameters_json(run.parameters)},
+            {"failure", failure_json(run.failure)},
+            {"error", run.error ? error_json(*run.error) : Json(nullptr)},
+            {"clipped_share", run.clipped_share},
+            {"pass_times", times_json(run.pass_times)},
+            {"timer", run.timer},
+            {"device", run.device},
+            {"memory_bytes", run.memory_bytes},
+            {"wall_time_s", run.wall_time_s},
+            {"warnings", run.warnings},
+            {"image_file", run.image_file},
+            {"picture_file", run.picture_file},
+            {"error_picture_file", run.error_picture_file},
+            {"fault_picture_file", run.fault_picture_file}};
+  add_judgement(run.judgement, json);
+  add_diagnosis(run.diagnosis, json);
+  json["temporal"] = temporal_json(run.temporal);
+  return json;
+}
+
+Json reference_json(const std::optional<ReferenceResult>& reference) {
+  if (!reference) return nullptr;
+  return {{"device", reference->device},
+          {"wall_time_s", reference->wall_time_s},
+          {"mean_visibility_se", reference->mean_visibility_se},
+          {"max_visibility_se", reference->max_visibility_se},
+          {"mean_sample_count", reference->mean_sample_count},
+          {"warnings", reference->warnings},
+          {"image_file", reference->image_file},
+          {"picture_file", reference->picture_file}};
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,56 @@
+#include "study/store/keys.h"
+
+#include "core/files.h"
+#include "core/hash.h"
+#include "study/store/code_hashes.h"
+
+#include <map>
+
+namespace umbrameter {
+namespace {
+
+/// 1, 1.0 and "1" differ; booleans are numbers, which no other value of their parameter is.
+void add(const ParameterValues& parameters, Hasher& hasher) {
+  for (const auto& [name, value] : parameters) {
+    hasher.text(name).number(static_cast<double>(value.index()));
+    if (const auto* text = std::get_if<std::string>(&value)) hasher.text(*text);
+    if (const auto* real = std::get_if<double>(&value)) hasher.number(*real);
+    if (const auto* integer = std::get_if<int64_t>(&value)) hasher.bytes(integer, sizeof *integer);
+    if (const auto* flag = std::get_if<bool>(&value)) hasher.number(*flag ? 1.0 : 0.0);
+  }
+}
+
+}  // namespace
+
+std::string reference_key(const Scene& scene, const PictureQuality& quality, const Makers& makers) {
+  Hasher hasher;
+  hasher.text("reference").text(kReferenceCodeHash).text(makers.reference);
+  hasher.text(scene.hash).number(static_cast<double>(scene.active_light));
+  hasher.number(quality.width_px).number(quality.height_px).number(quality.samples_per_pixel);
+  hasher.number(quality.target_se.value_or(-1.0));  // no standard error is negative
+  return hasher.bytes(&quality.reference_seed, sizeof quality.reference_seed).hex();
+}
+
+std::string run_key(const std::string& reference, const TechniqueRun& run, uint64_t seed,
+                    const MetricChoice& metrics, const Makers& makers) {
+  Hasher hasher;
+  hasher.text("run").text(kRealtimeCodeHash).text(kScoringCodeHash).text(reference);
+  hasher.text(makers.realtime).text(makers.shaders).text(run.hash);
+  hasher.bytes(&seed, sizeof seed);
+  for (const bool chosen : {metrics.significance, metrics.diagnosis}) hasher.number(chosen ? 1.0 : 0.0);
+  add(run.parameters, hasher);
+  return hasher.hex();
+}
+
+std::string hash_folder(const std::filesystem::path& folder) {
+  std::map<std::string, std::filesystem::path> by_name;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    if (entry.is_regular_file())
+      by_name[entry.path().lexically_relative(folder).generic_string()] = entry.path();
+  }
+  Hasher hasher;
+  for (const auto& [name, file] : by_name) hasher.text(name).text(read_file(file));
+  return hasher.hex();
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,39 @@
+#pragma once
+// What a stored result stands under: a hash of everything that can change its numbers, and of nothing else. Labels, titles,
+// names of scenes and the number of threads are not in it.
+
+#include "study/validation.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace umbrameter {
+
+/// What makes the pictures beside our own C++, whose hash is built in (study/store/code_hashes.h).
+struct Makers {
+  std::string reference;  // the ray tracer with its version
+  std::string realtime;   // the GL device with its driver's version
+  std::string
+      shaders;  // hash of the folder of shaders: techniques' own hashes leave out those of the G-buffer
+};
+
+struct PictureQuality {
+  int width_px = 0;
+  int height_px = 0;
+  int samples_per_pixel = 0;
+  std::optional<double> target_se;
+  uint64_t reference_seed = 1;
+};
+
+std::string reference_key(const Scene& scene, const PictureQuality& quality, const Makers& makers);
+
+/// Of a run scored against the truth of `reference`, a reference_key(). The parameters are the complete set.
+std::string run_key(const std::string& reference, const TechniqueRun& run, uint64_t seed,
+                    const MetricChoice& metrics, const Makers& makers);
+
+/// Names and bytes of every file below; places do not count.
+std::string hash_folder(const std::filesystem::path& folder);
+
+}  // namespace umbrameter

@@ -1,0 +1,35 @@
+#pragma once
+// How long a run or a truth will take: from what the store has seen, else a rough model.
+
+#include "study/store/keys.h"
+#include "study/store/store.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace umbrameter {
+
+/// Seconds of stored results.
+struct Costs {
+  std::map<std::string, std::vector<double>> run_s_per_pixel;  // by technique
+  std::vector<double> reference_s_per_sample;
+};
+
+struct Estimate {
+  double seconds = 0.0;
+  size_t like = 0;  // stored results that this is the median of; 0 = the rough model
+};
+
+// The rough model, of a slow machine: two cores, GL in software.
+inline constexpr double kRoughRun_s = 0.3;             // compiling
+inline constexpr double kRoughRun_s_per_pixel = 4e-6;  // rendering and scoring
+inline constexpr double kRoughReference_s_per_sample = 2e-7;
+
+/// Of runs and truths that did not fail. `store` may be null.
+Costs costs_of(Store* store);
+
+Estimate estimate_run(const Costs& costs, const std::string& technique, const PictureQuality& quality);
+Estimate estimate_reference(const Costs& costs, const PictureQuality& quality);
+
+}  // namespace umbrameter

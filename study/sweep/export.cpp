@@ -1,0 +1,125 @@
+#include "study/sweep/export.h"
+
+#include "study/csv.h"
+#include "study/json_parts.h"
+#include "study/metadata.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <tuple>
+
+namespace umbrameter {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What a person would call the same run.
+std::string identity_of(const RunRecord& record) {
+  const RecordHead& head = record.head;
+  return fmt::format("{}\n{}\n{}\n{}\n{}x{}\n{}\n{}\n{}", head.scene, head.light, record.result.technique,
+                     to_text(record.result.parameters), head.width_px, head.height_px, head.samples_per_pixel,
+                     head.target_se.value_or(0.0), head.seed);
+}
+
+auto order_of(const RunRecord& record) {
+  const RecordHead& head = record.head;
+  return std::tie(head.scene, record.result.label, head.seed, head.width_px, head.height_px,
+                  head.samples_per_pixel, head.started);
+}
+
+std::vector<RunRecord> newest(std::vector<RunRecord> runs) {
+  std::map<std::string, RunRecord> by_identity;
+  for (RunRecord& run : runs) {
+    RunRecord& kept = by_identity[identity_of(run)];
+    if (kept.head.started < run.head.started) kept = std::move(run);
+  }
+  std::vector<RunRecord> all;
+  for (auto& [identity, run] : by_identity) all.push_back(std::move(run));
+  return all;
+}
+
+void add_interval(const std::optional<Interval>& interval, std::vector<std::string>& cells) {
+  for (const auto part : {&Interval::value, &Interval::low, &Interval::high})
+    cells.push_back(interval ? csv_number((*interval).*part) : "");
+}
+
+std::string number_text(const std::optional<double>& value) {
+  return value ? csv_number(*value) : "";
+}
+
+std::vector<std::string> cells_of(const RunRecord& record, const std::set<std::string>& parameters) {
+  const RecordHead& head = record.head;
+  const TechniqueResult& result = record.result;
+  const VisibilityError error = result.error.value_or(VisibilityError{});
+  std::vector<std::string> cells{head.scene,
+                                 head.scene_hash,
+                                 head.light,
+                                 result.label,
+                                 result.technique,
+                                 std::to_string(head.seed),
+                                 std::to_string(head.width_px),
+                                 std::to_string(head.height_px),
+                                 std::to_string(head.samples_per_pixel),
+                                 number_text(head.target_se),
+                                 status_of(record)};
+  add_interval(error.rmse, cells);
+  for (const auto& value : {error.bias, error.over_shadowing, error.under_shadowing})
+    cells.push_back(number_text(value));
+  cells.insert(cells.end(),
+               {std::to_string(result.memory_bytes), head.started, csv_number(head.duration_s), head.commit,
+                result.device, result.image_file, result.failure ? result.failure->message : ""});
+  for (const std::string& name : parameters) {
+    const auto found = result.parameters.find(name);
+    cells.push_back(found == result.parameters.end() ? "" : to_text(found->second));
+  }
+  return cells;
+}
+
+}  // namespace
+
+StoredRuns stored_runs(Store& store, bool all) {
+  StoredRuns found;
+  for (const Entry& entry : store.entries(EntryKind::run)) {
+    if (auto run = parse_run_record(entry.json)) {
+      found.runs.push_back(std::move(*run));
+    } else {
+      ++found.foreign;
+    }
+  }
+  const size_t stored = found.runs.size();
+  if (!all) found.runs = newest(std::move(found.runs));
+  found.older = stored - found.runs.size();
+  std::ranges::sort(found.runs,
+                    [](const RunRecord& a, const RunRecord& b) { return order_of(a) < order_of(b); });
+  return found;
+}
+
+std::string to_json_text(const StoredRuns& runs) {
+  Json list = Json::array();
+  for (const RunRecord& run : runs.runs) list.push_back(Json::parse(to_json_text(run)));
+  return dump({{"schema", kExportSchema}, {"older", runs.older}, {"foreign", runs.foreign}, {"runs", list}});
+}
+
+std::string to_csv(const StoredRuns& runs) {
+  std::set<std::string> parameters;
+  for (const RunRecord& run : runs.runs) {
+    for (const auto& [name, value] : run.result.parameters) parameters.insert(name);
+  }
+  std::vector<std::string> names{"scene",          "scene_hash",      "light",
+                                 "label",          "technique",       "seed",
+                                 "width_px",       "height_px",       "samples_per_pixel",
+                                 "target_se",      "status",          "rmse",
+                                 "rmse_low",       "rmse_high",       "bias",
+                                 "over_shadowing", "under_shadowing", "memory_bytes",
+                                 "started",        "duration_s",      "commit",
+                                 "device",         "image",           "failure"};
+  for (const std::string& name : parameters) names.push_back("parameter." + name);
+  std::string text = csv_line(names);
+  for (const RunRecord& run : runs.runs) text += csv_line(cells_of(run, parameters));
+  return text;
+}
+
+}  // namespace umbrameter

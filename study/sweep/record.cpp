@@ -1,0 +1,100 @@
+#include "study/sweep/record.h"
+
+#include "study/json_optional.h"
+#include "study/json_parts.h"
+#include "study/run_json.h"
+
+#include <fmt/chrono.h>
+
+#include <chrono>
+
+namespace umbrameter {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json head_json(const RecordHead& head, const std::string& status) {
+  return {{"scene", head.scene},
+          {"scene_hash", head.scene_hash},
+          {"light", head.light},
+          {"width_px", head.width_px},
+          {"height_px", head.height_px},
+          {"samples_per_pixel", head.samples_per_pixel},
+          {"target_se", optional_json(head.target_se)},
+          {"seed", head.seed},
+          {"status", status},
+          {"commit", head.commit},
+          {"started", head.started},
+          {"duration_s", head.duration_s}};
+}
+
+RecordHead read_head(const nlohmann::json& json) {
+  RecordHead head;
+  head.scene = json.at("scene");
+  head.scene_hash = json.at("scene_hash");
+  head.light = json.at("light");
+  head.width_px = json.at("width_px");
+  head.height_px = json.at("height_px");
+  head.samples_per_pixel = json.at("samples_per_pixel");
+  head.target_se = read_optional<double>(json.at("target_se"));
+  head.seed = json.at("seed");
+  head.commit = json.at("commit");
+  head.started = json.at("started");
+  head.duration_s = json.at("duration_s");
+  return head;
+}
+
+std::string compact(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace
+
+std::string status_of(const RunRecord& record) {
+  if (record.result.failure) return "failed";
+  return record.parity && !record.parity->passes ? "void" : "ok";
+}
+
+std::string to_json_text(const RunRecord& record) {
+  Json json = head_json(record.head, status_of(record));
+  json["reference"] = record.reference;
+  json["parity"] = parity_json(record.parity);
+  json["result"] = technique_json(record.result);
+  return compact(json);
+}
+
+std::string to_json_text(const ReferenceRecord& record) {
+  Json json = head_json(record.head, "ok");
+  json["result"] = reference_json(record.result);
+  return compact(json);
+}
+
+std::optional<RunRecord> parse_run_record(std::string_view text) {
+  try {
+    const auto json = nlohmann::json::parse(text);
+    return RunRecord{read_head(json), json.at("reference"), read_parity(json.at("parity")),
+                     read_technique(json.at("result"))};
+  } catch (const nlohmann::json::exception&) {
+    return std::nullopt;
+  }
+}
+
+std::optional<ReferenceRecord> parse_reference_record(std::string_view text) {
+  try {
+    const auto json = nlohmann::json::parse(text);
+    const auto result = read_reference(json.at("result"));
+    if (!result) return std::nullopt;
+    return ReferenceRecord{read_head(json), *result};
+  } catch (const nlohmann::json::exception&) {
+    return std::nullopt;
+  }
+}
+
+std::string time_now() {
+  const auto now = std::chrono::time_point_cast<std::chrono::milliseconds>(std::chrono::system_clock::now());
+  const auto second = std::chrono::time_point_cast<std::chrono::seconds>(now);
+  return fmt::format("{:%Y-%m-%dT%H:%M:%S}.{:03}Z", fmt::gmtime(std::chrono::system_clock::to_time_t(second)),
+                     (now - second).count());
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,54 @@
+#pragma once
+// What the store holds of a run and of a truth. Not here: under which key (study/store/keys.h).
+
+#include "study/results.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace umbrameter {
+
+/// What a stored result is of, and when it was made. Times are UTC: "2026-01-31T12:00:00.000Z".
+struct RecordHead {
+  std::string scene;
+  std::string scene_hash;
+  std::string light;  // type
+  int width_px = 0;
+  int height_px = 0;
+  int samples_per_pixel = 0;
+  std::optional<double> target_se;
+  uint64_t seed = 1;
+  std::string commit;
+  std::string started;
+  double duration_s = 0.0;
+};
+
+/// `result.image_file` names an object of the store with the plane `visibility` alone: the truth's image has the rest.
+struct RunRecord {
+  RecordHead head;
+  std::string reference;  // key of the truth
+  std::optional<ParityNumbers> parity;
+  TechniqueResult result;
+};
+
+struct ReferenceRecord {
+  RecordHead head;
+  ReferenceResult result;
+};
+
+/// "ok", "failed", or "void": the renderers see different surfaces.
+std::string status_of(const RunRecord& record);
+
+std::string to_json_text(const RunRecord& record);
+std::string to_json_text(const ReferenceRecord& record);
+
+/// Absent for what another version wrote.
+std::optional<RunRecord> parse_run_record(std::string_view json);
+std::optional<ReferenceRecord> parse_reference_record(std::string_view json);
+
+/// The time of day now, as records have it.
+std::string time_now();
+
+}  // namespace umbrameter
