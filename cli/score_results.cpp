@@ -85,6 +85,9 @@ void write_score_results(const ScoreInputs& inputs, const ScoreSettings& setting
   const bool keeps_folder = !out.empty();
   if (keeps_folder && std::filesystem::exists(out) && !std::filesystem::is_directory(out))
     fail_input(fmt::format("the output '{}' is not a folder", out));
+  if (keeps_folder && std::filesystem::exists(std::filesystem::path(out) / "images") &&
+      !std::filesystem::exists(std::filesystem::path(out) / "results.json"))
+    fail_input(fmt::format("'{}/images' exists and is of no results", out), {}, "choose another --out");
   Image test = inputs.test;
   if (!has_surfaces(test)) add_surfaces({}, nullptr, DepthKind::axis, inputs.reference, test);
   PictureRenderer engine(test, "another engine"),
@@ -99,14 +102,18 @@ void write_score_results(const ScoreInputs& inputs, const ScoreSettings& setting
     if (run.error) widen_by_rounding(inputs.mean_square_rounding, *run.error);
   }
   write_file_atomically(staging.folder() / "results.json", to_json_text(results));
-  write_report(staging.folder(), staging.folder() / "report.html");
-  if (!report.empty()) write_file_atomically(report, read_file(staging.folder() / "report.html"));
+  if (!report.empty()) write_report(staging.folder(), report);
   if (!keeps_folder) return;
+  write_report(staging.folder(), staging.folder() / "report.html");
   const std::filesystem::path folder = out;
-  if (std::filesystem::exists(folder / "images"))
-    rename_into_place(folder / "images", staging.folder() / "old-images");
-  for (const char* name : {"images", "results.json", "report.html"})
-    rename_into_place(staging.folder() / name, folder / name);
+  for (const std::string name : {"images", "report-data"}) {
+    if (std::filesystem::exists(folder / name))
+      rename_into_place(folder / name, staging.folder() / ("old-" + name));
+  }
+  for (const char* name : {"images", "results.json", "report-data", "report.html"}) {
+    if (std::filesystem::exists(staging.folder() / name))
+      rename_into_place(staging.folder() / name, folder / name);
+  }
   print_note(fmt::format("wrote {}", (folder / "report.html").string()));
 }
 
