@@ -86,7 +86,7 @@ void write_exr(const std::filesystem::path& path, const Image& image) {
   for (const auto& [name, plane] : image.planes) spec.channelnames.push_back(name);
   for (const auto& [key, value] : image.metadata) spec.attribute(std::string(kMetadataPrefix) + key, value);
   spec.attribute("compression", "zip");
-  spec.attribute("DateTime", "");  // else OpenImageIO adds the time, and equal images would not be equal files
+  spec.attribute("DateTime", "");  // else the time is added, and equal images are not equal files
   const std::vector<float> pixels = interleave(image);
   const std::filesystem::path temporary = temporary_name(path);
   const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create("exr");

@@ -101,7 +101,7 @@ TEST_F(GlSweepCommand, GoesOnAfterKillWithoutRepeatingWork) {
   EXPECT_EQ(outcome["reused"], done);
   EXPECT_EQ(outcome["rendered"], kRuns - done);
   json({"sweep", "study.toml", "--out", "whole"});
-  EXPECT_EQ(numbers("killed"), numbers("whole"));
+  EXPECT_TRUE(numbers("killed") == numbers("whole"));
   EXPECT_EQ(json({"sweep", "study.toml", "--out", "whole"})["rendered"], 0);
   EXPECT_EQ(json({"sweep", "study.toml", "--out", "whole", "--no-reuse", "--shard", "1/12"})["rendered"], 2);
 }
@@ -117,7 +117,7 @@ TEST_F(GlSweepCommand, PartsMergedAreTheWhole) {
   EXPECT_EQ(merged["present"], 1);
   json({"sweep", "study.toml", "--out", "whole"});
   EXPECT_EQ(numbers("c").size(), kRuns);
-  EXPECT_EQ(numbers("c"), numbers("whole"));
+  EXPECT_TRUE(numbers("c") == numbers("whole"));
   EXPECT_EQ(objects("c"), objects("whole"));
   EXPECT_EQ(json({"sweep", "study.toml", "--out", "c"})["rendered"], 0);
 }
