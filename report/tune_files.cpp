@@ -4,6 +4,7 @@
 #include "core/files.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <string>
@@ -25,27 +26,42 @@ std::vector<std::filesystem::path> tune_files(const std::filesystem::path& folde
   return files;
 }
 
+/// A row of numbers as long as `count`; null where nothing could be measured.
+Json row(const Json& sweep, const char* name, size_t count, const std::string& file) {
+  const Json& numbers = sweep.at(name);
+  const bool is_row = numbers.is_array() && std::ranges::all_of(numbers, [](const Json& number) {
+                        return number.is_number() || number.is_null();
+                      });
+  if (!is_row || numbers.size() != count)
+    fail_input(fmt::format("'{}' of bias_sweep is not a row of {} numbers", name, count), {file});
+  return numbers;
+}
+
+/// In the unit of the bias; null when the search was cut off.
+Json window_json(const Json& sweep, const std::string& unit) {
+  if (!sweep.at("is_complete").get<bool>()) return nullptr;
+  if (!sweep.at("has_window").get<bool>()) return {{"empty", true}, {"low", nullptr}, {"high", nullptr}};
+  const char* measure = unit == "texels" ? "texels" : "world";
+  return {{"empty", false},
+          {"low", sweep.at("acne_free_from").at(measure).get<double>()},
+          {"high", sweep.at("peter_pan_free_to").at(measure).get<double>()}};
+}
+
 Json sweep_json(const Json& sweep, const Json& document, const std::string& file) {
+  const std::string unit = sweep.at("unit").get<std::string>();
+  const size_t count = sweep.at("bias").size();
   Json out{{"file", file},
            {"parameter", sweep.at("parameter").get<std::string>()},
-           {"unit", sweep.at("unit").get<std::string>()}};
-  const size_t count = sweep.at("values").size();
-  for (const char* name : {"values", "objective", "acne", "peter_panning"}) {
-    const auto numbers = sweep.at(name).get<std::vector<double>>();
-    if (numbers.size() != count) {
-      fail_input(fmt::format("'{}' of bias_sweep has {} numbers for {} values", name, numbers.size(), count),
-                 {file});
-    }
-    out[name] = numbers;
-  }
-  const Json& window = sweep.at("window");
-  const bool is_empty = window.at("empty").get<bool>();
-  out["window"] = {{"empty", is_empty},
-                   {"low", is_empty ? Json(nullptr) : Json(window.at("low").get<double>())},
-                   {"high", is_empty ? Json(nullptr) : Json(window.at("high").get<double>())}};
-  for (const char* name : {"scene", "technique"}) {
-    const Json& owner = sweep.contains(name) ? sweep : document;
-    if (owner.contains(name) && owner.at(name).is_string()) out[name] = owner.at(name);
+           {"unit", unit},
+           {"values", row(sweep, "bias", count, file)},
+           {"objective", row(sweep, "objective", count, file)},
+           {"acne", row(sweep, "acne_share", count, file)},
+           {"peter_panning", row(sweep, "peter_panning_share", count, file)},
+           {"window", window_json(sweep, unit)}};
+  if (document.contains("technique")) out["technique"] = document.at("technique").get<std::string>();
+  if (document.contains("scenes")) {
+    const auto scenes = document.at("scenes").get<std::vector<std::string>>();
+    out["scene"] = fmt::format("{}", fmt::join(scenes, ", "));
   }
   return out;
 }

@@ -3,6 +3,7 @@
 const sweepCharts = [];
 
 function windowText(sweep) {
+  if (!sweep.window) return "The safe window was not found: the search was cut off.";
   const {low, high, empty} = sweep.window;
   if (empty) return "No value is safe: what ends the acne already detaches the shadow.";
   return `Safe from ${low} to ${high} ${sweep.unit}.`;
@@ -16,7 +17,7 @@ function drawSweep(owner) {
     data: {datasets: [line("objective", sweep.objective, {borderColor: colours.ink}),
                       line("acne", sweep.acne, {borderColor: colours.second, borderDash: [6, 3]}),
                       line("peter panning", sweep.peter_panning, {borderColor: colours.third, borderDash: [2, 2]})]},
-    options: {safeRange: sweep.window.empty ? null : [sweep.window.low, sweep.window.high],
+    options: {safeRange: !sweep.window || sweep.window.empty ? null : [sweep.window.low, sweep.window.high],
               scales: {x: axis(`${sweep.parameter}, ${sweep.unit}`, {type: "linear"}), y: axis("objective and its parts")}},
   });
 }
