@@ -74,4 +74,12 @@ Quality choose_quality(const QualityOptions& options) {
   return quality;
 }
 
+RenderRequest request_of(const Quality& quality) {
+  RenderRequest request;
+  request.width_px = quality.width_px;
+  request.height_px = quality.height_px;
+  request.seed = quality.seed;
+  return request;
+}
+
 }  // namespace umbrameter

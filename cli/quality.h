@@ -2,6 +2,7 @@
 // Resolution and samples: --quality and what overrides it.
 
 #include "core/error.h"
+#include "core/renderer.h"
 
 #include <CLI/CLI.hpp>
 
@@ -36,5 +37,8 @@ void add_quality_options(CLI::App& verb, QualityOptions& options);
 
 /// Error{input} for an unknown quality and for numbers out of range.
 Quality choose_quality(const QualityOptions& options);
+
+/// Size and seed, no technique.
+RenderRequest request_of(const Quality& quality);
 
 }  // namespace umbrameter

@@ -50,10 +50,7 @@ int render_reference(const ReferenceOptions& options, const GlobalOptions& globa
   const auto renderer = make_reference_renderer(
       {quality.samples_per_pixel, quality.target_se, global.threads, !options.no_skip});
   ProgressBar progress;
-  RenderRequest request;
-  request.width_px = quality.width_px;
-  request.height_px = quality.height_px;
-  request.seed = quality.seed;
+  const RenderRequest request = request_of(quality);
   Frame frame = renderer->render(job.scene, request, progress);
   add_metadata(frame, job.scene, request);
   write_exr(file.staged(), frame.image);

@@ -62,10 +62,7 @@ int render(const RenderOptions& options, const GlobalOptions& global) {
   for (const std::string& warning : job.scene.warnings) print_warning(warning);
   const auto renderer = open_realtime_renderer(global, home);
   ProgressBar progress;
-  RenderRequest request;
-  request.width_px = quality.width_px;
-  request.height_px = quality.height_px;
-  request.seed = quality.seed;
+  RenderRequest request = request_of(quality);
   request.technique = run.technique;
   request.parameters = run.parameters;
   const LabelledRequest labelled{run.label, request};

@@ -39,10 +39,7 @@ Image render_truth(const SceneJob& job, const ScoreInputOptions& options, const 
   const auto renderer =
       make_reference_renderer({quality.samples_per_pixel, quality.target_se, global.threads});
   ProgressBar progress;
-  RenderRequest request;
-  request.width_px = quality.width_px;
-  request.height_px = quality.height_px;
-  request.seed = quality.seed;
+  const RenderRequest request = request_of(quality);
   Frame frame = renderer->render(job.scene, request, progress);
   add_metadata(frame, job.scene, request);
   return std::move(frame.image);

@@ -14,10 +14,6 @@
 namespace umbrameter {
 namespace {
 
-void print_warnings(Store& store) {
-  for (const std::string& warning : store.take_warnings()) print_warning(warning);
-}
-
 int merge(const std::vector<std::string>& folders, const GlobalOptions& global) {
   if (global.out.empty()) fail_input("merged results need a folder", {}, "give --out DIR");
   for (const std::string& folder : folders) {
@@ -70,6 +66,10 @@ int export_store(const ExportOptions& options, const GlobalOptions& global) {
 }
 
 }  // namespace
+
+void print_warnings(Store& store) {
+  for (const std::string& warning : store.take_warnings()) print_warning(warning);
+}
 
 void add_merge(CLI::App& app, CommandLine& line) {
   auto folders = std::make_shared<std::vector<std::string>>();

@@ -52,10 +52,6 @@ LoadedSweep load(const SweepOptions& options, const GlobalOptions& global, Progr
   return loaded;
 }
 
-void print_warnings(Store& store) {
-  for (const std::string& warning : store.take_warnings()) print_warning(warning);
-}
-
 int plan(const SweepOptions& options, const GlobalOptions& global) {
   ProgressBar progress;
   const LoadedSweep loaded = load(options, global, progress);

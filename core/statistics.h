@@ -4,6 +4,7 @@
 #include "core/error.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -25,6 +26,11 @@ double median(std::vector<T> values) {
 template <class T>
 std::optional<double> median_if_any(std::vector<T> values) {
   return values.empty() ? std::nullopt : std::optional<double>(median(std::move(values)));
+}
+
+/// The root with its sign, for squares from which noise was taken and which may be below 0.
+inline double signed_root(double value) {
+  return std::copysign(std::sqrt(std::abs(value)), value);
 }
 
 }  // namespace umbrameter

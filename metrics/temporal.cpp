@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/spaces.h"
+#include "core/statistics.h"
 #include "metrics/checks.h"
 #include "metrics/surface.h"
 #include "metrics/tiles.h"
@@ -45,10 +46,6 @@ FrameValues checked_frame(const SequenceFrame& frame, const Image& first) {
 void require_two(size_t frames) {
   if (frames >= 2) return;
   fail_input(fmt::format("a sequence of {} frames tells nothing of change", frames), {}, "give two or more");
-}
-
-double signed_root(double value) {
-  return std::copysign(std::sqrt(std::abs(value)), value);
 }
 
 // Four pixels of one surface around a continuous position, and their weights.

@@ -1,5 +1,6 @@
 // The Renderer over EGL and GL: keeps context, programs, and the last scene's buffers and G-buffer.
 
+#include "core/clock.h"
 #include "core/hash.h"
 #include "realtime/device_identity.h"
 #include "realtime/executor/check_visibility.h"
@@ -13,17 +14,10 @@
 #include "realtime/realtime.h"
 
 #include <array>
-#include <chrono>
 #include <optional>
 
 namespace umbrameter {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 void hash_vector(Hasher& hasher, const glm::dvec3& v) {
   hasher.number(v.x).number(v.y).number(v.z);

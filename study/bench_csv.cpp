@@ -7,15 +7,6 @@
 namespace umbrameter {
 namespace {
 
-void add_interval(const std::optional<Interval>& interval, std::vector<std::string>& cells) {
-  if (!interval) {
-    cells.insert(cells.end(), 3, "");
-    return;
-  }
-  for (const double value : {interval->value, interval->low, interval->high})
-    cells.push_back(csv_number(value));
-}
-
 std::string pass_text(const std::vector<PassTime>& times) {
   std::string text;
   for (const PassTime& time : times) {

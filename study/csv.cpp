@@ -32,4 +32,9 @@ std::string csv_line(const std::vector<std::string>& cells) {
   return text + "\n";
 }
 
+void add_interval(const std::optional<Interval>& interval, std::vector<std::string>& cells) {
+  for (const auto part : {&Interval::value, &Interval::low, &Interval::high})
+    cells.push_back(interval ? csv_number((*interval).*part) : "");
+}
+
 }  // namespace umbrameter

@@ -130,6 +130,12 @@ double GateMeasure::severity() const {
   return excess(*this) / room;
 }
 
+double worst_severity(const GateVerdict& verdict) {
+  double worst = 0.0;
+  for (const GateMeasure& m : verdict.measures) worst = std::max(worst, m.value ? m.severity() : 0.0);
+  return worst;
+}
+
 GateVerdict judge_gate(const GateRun& run, const GateRun* baseline, bool worse, const GateLimits& limits) {
   GateVerdict verdict;
   verdict.kind = void_reason(run);

@@ -82,6 +82,9 @@ struct GateVerdict {
   bool passes() const { return !kind.has_value(); }
 };
 
+/// The largest severity of what was measured; 0 for nothing.
+double worst_severity(const GateVerdict& verdict);
+
 /// `baseline` null: against the limits alone. Main is the first class that voids; else, of faults and penumbrae, the one
 /// with the largest excess of the mean absolute error; a penumbra's is told further by what is most out of its limit.
 /// `worse` says that the run is worse than the baseline for certain (metrics/verdict.h).

@@ -1,7 +1,8 @@
 #include "study/results.h"
 
+#include "core/statistics.h"
+
 #include <algorithm>
-#include <cmath>
 
 namespace umbrameter {
 
@@ -27,7 +28,7 @@ std::optional<PassTime> total_time(const std::vector<PassTime>& pass_times) {
 
 std::optional<double> region_rmse(const RegionError& region) {
   if (region.pixels == 0) return std::nullopt;
-  return std::copysign(std::sqrt(std::abs(region.mse)), region.mse);
+  return signed_root(region.mse);
 }
 
 bool parity_passes(const Results& results) {

@@ -1,6 +1,7 @@
 #include "study/regress/case_numbers.h"
 
 #include "core/error.h"
+#include "core/statistics.h"
 
 #include <algorithm>
 #include <cmath>
@@ -67,10 +68,6 @@ Diagnosis diagnosis_of(const Measures& measures) {
   diagnosis.causes.reference_noise = get(measures, kTruthNoise);
   diagnosis.causes.banding = get(measures, kBanding);
   return diagnosis;
-}
-
-double signed_root(double value) {
-  return std::copysign(std::sqrt(std::abs(value)), value);
 }
 
 }  // namespace

@@ -22,12 +22,6 @@ std::string effort(const RegressCase& one) {
   return one.pictures > 1 ? text + fmt::format(", {} seeds", one.pictures) : text;
 }
 
-double worst_severity(const GateVerdict& gate) {
-  double worst = 0.0;
-  for (const GateMeasure& m : gate.measures) worst = std::max(worst, m.value ? m.severity() : 0.0);
-  return worst;
-}
-
 std::string gate_cell(const RegressCase& one) {
   return one.verdict.gate.measures.empty() ? kNotApplicable
                                            : fmt::format("{:.2f}", worst_severity(one.verdict.gate));

@@ -54,12 +54,6 @@ std::string fault_matrix(const SelftestResults& results) {
   return text;
 }
 
-double worst_severity(const GateVerdict& verdict) {
-  double worst = 0.0;
-  for (const GateMeasure& m : verdict.measures) worst = std::max(worst, m.value ? m.severity() : 0.0);
-  return worst;
-}
-
 std::string benign_matrix(const SelftestResults& results) {
   std::vector<std::string> names, scenes;
   for (const BenignOutcome& o : results.benign) {

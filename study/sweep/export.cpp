@@ -41,11 +41,6 @@ std::vector<RunRecord> newest(std::vector<RunRecord> runs) {
   return all;
 }
 
-void add_interval(const std::optional<Interval>& interval, std::vector<std::string>& cells) {
-  for (const auto part : {&Interval::value, &Interval::low, &Interval::high})
-    cells.push_back(interval ? csv_number((*interval).*part) : "");
-}
-
 std::string number_text(const std::optional<double>& value) {
   return value ? csv_number(*value) : "";
 }

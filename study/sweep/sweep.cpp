@@ -1,5 +1,6 @@
 #include "study/sweep/sweep.h"
 
+#include "core/clock.h"
 #include "core/image_io.h"
 #include "study/guard.h"
 #include "study/metadata.h"
@@ -12,12 +13,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 
 namespace umbrameter {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 /// The truth of the scene at hand.
 struct Truth {
@@ -36,10 +34,6 @@ struct Context {
   Truth truth;
   SweepOutcome outcome;
 };
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 RenderRequest request_of(const SweepPlan& plan, uint64_t seed) {
   RenderRequest request;

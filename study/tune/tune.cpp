@@ -1,28 +1,22 @@
 #include "study/tune/tune.h"
 
+#include "core/clock.h"
 #include "core/error.h"
 #include "study/guard.h"
 #include "study/tune/after_search.h"
 #include "study/tune/candidates.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numeric>
 
 namespace umbrameter {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr double kCoarseShare = 0.5;     // of the search's evaluations and time
 constexpr double kSearchShare = 0.7;     // of the time
 constexpr double kWorthChanging = 2e-3;  // of the objective, by all changes together
 constexpr size_t kKept = 5;              // coarse trials that are tried at full size
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 std::vector<View> make_views(Studio& studio, std::span<SceneJob> scenes, const Fidelity& fidelity,
                              int cameras) {
