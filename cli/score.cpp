@@ -9,6 +9,7 @@
 #include "study/format.h"
 #include "study/judgement_format.h"
 #include "study/results_json.h"
+#include "study/similarity_format.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -22,6 +23,7 @@ struct ScoreOptions {
   std::string baseline;
   std::string metrics;
   std::optional<double> limit_rmse;
+  bool maps = false;
 };
 
 std::string region_line(const char* name, const RegionError& region) {
@@ -54,6 +56,7 @@ std::string score_text(const Score& score) {
   text += region_line("lit", error.lit) + region_line("penumbra", error.penumbra) +
           region_line("umbra", error.umbra);
   text += term_lines(judgement_lines(score.judgement));
+  if (score.similarity) text += term_lines(similarity_lines(*score.similarity));
   if (!score.diagnosis) return text;
   return text + term_lines(penumbra_lines(*score.diagnosis)) + term_lines(fault_lines(*score.diagnosis)) +
          term_lines(cause_lines(*score.diagnosis));
@@ -81,9 +84,11 @@ bool is_above_limit(const Score& score) {
 }
 
 int score(const ScoreOptions& options, const GlobalOptions& global) {
+  if (options.maps && global.out.empty()) fail_input("--maps needs a folder", {}, "give --out DIR");
   const ScoreInputs inputs = load_score_inputs(options.inputs, global);
   const Image &test = inputs.test, &reference = inputs.reference;
-  const ScoreSettings settings = {choose_metrics(options.metrics), options.limit_rmse};
+  const ScoreSettings settings = {choose_metrics(options.metrics), options.limit_rmse,
+                                  options.maps && !global.out.empty()};
   Score result = score_image(test, reference, inputs.eye_world, settings);
   if (result.error) widen_by_rounding(inputs.mean_square_rounding, *result.error);
   if (settings.limit_rmse && result.error)
@@ -114,6 +119,7 @@ void add_score(CLI::App& app, CommandLine& line) {
   verb->add_option("--limit", options->limit_rmse, "RMSE to keep; exit code 1 when it is above for certain")
       ->check(CLI::PositiveNumber);
   verb->add_option("--metrics", options->metrics, kMetricsHelp);
+  verb->add_flag("--maps", options->maps, kMapsHelp);
   verb->callback([options, &line] { line.verb = [options, &line] { return score(*options, line.global); }; });
 }
 

@@ -69,6 +69,7 @@ ValidationPlan plan_of(const ScoreInputs& inputs, const ScoreSettings& settings)
   plan.techniques = {run_of(inputs)};
   plan.metrics = settings.metrics;
   plan.limit_rmse = settings.limit_rmse;
+  plan.maps = settings.maps;
   return plan;
 }
 

@@ -18,6 +18,8 @@ constexpr int kSamplesPerPixel = 256;
 
 struct SelftestOptions {
   std::vector<std::string> scenes;
+  int width_px = SelftestSettings{}.width_px;
+  int height_px = SelftestSettings{}.height_px;
 };
 
 /// Scenes that need no assets.
@@ -47,6 +49,8 @@ int selftest(const SelftestOptions& options, const GlobalOptions& global) {
   const auto reference = make_reference_renderer({kSamplesPerPixel, {}, global.threads});
   const auto other = make_reference_renderer({kSamplesPerPixel, {}, other_threads(global.threads)});
   SelftestSettings settings;
+  settings.width_px = options.width_px;
+  settings.height_px = options.height_px;
   settings.techniques_folder = home.techniques;
   settings.shaders_folder = home.shaders;
   settings.scratch_folder = staging.folder();
@@ -69,6 +73,10 @@ void add_selftest(CLI::App& app, CommandLine& line) {
   verb->fallthrough();
   verb->add_option("--scene", options->scenes, "only this scene and its faults; repeatable")
       ->allow_extra_args(false);
+  verb->add_option("--width", options->width_px,
+                   "of the pictures in px; what is given as right was seen at 320 x 180")
+      ->check(CLI::Range(64, 4096));
+  verb->add_option("--height", options->height_px, "of the pictures in px")->check(CLI::Range(64, 4096));
   verb->callback(
       [options, &line] { line.verb = [options, &line] { return selftest(*options, line.global); }; });
 }

@@ -32,6 +32,7 @@ struct ValidateOptions {
   std::string baseline;
   std::optional<double> limit_rmse;
   bool temporal = false;
+  bool maps = false;
 };
 
 constexpr int kTemporalFrames = 4;  // of each sequence: three steps show a change, and cost three references
@@ -129,6 +130,7 @@ ValidationPlan make_plan(const Quality& quality, std::vector<TechniqueRun> techn
   plan.metrics = choose_metrics(options.metrics);
   plan.baseline = options.baseline;
   plan.limit_rmse = options.limit_rmse;
+  plan.maps = options.maps;
   return plan;
 }
 
@@ -221,6 +223,7 @@ void add_validate(CLI::App& app, CommandLine& line) {
                    "RMSE that techniques must keep; exit code 1 when one does not")
       ->check(CLI::PositiveNumber);
   verb->add_option("--metrics", options->metrics, kMetricsHelp);
+  verb->add_flag("--maps", options->maps, kMapsHelp);
   add_quality_options(*verb, options->quality);
   verb->add_option("--frames", options->frames,
                    "timed frames a technique, instead of the quality's; 0 times nothing")

@@ -29,7 +29,7 @@ struct RenderRequest {
 /// reference: visibility, visibility_se, irradiance_ratio, half_a, half_b, sample_count, blocker_distance,
 ///   blocker_distance_min, blocker_layers.
 /// real time: visibility; where one map is drawn from the light's centre also texel.x/y (the point's place in
-///   that map, in texels) and texel_world (width of a texel facing the light there); 0 where nothing is hit.
+///   that map, in texels), texel_world (width of a texel facing the light there), maybe bias_world; 0 = no hit.
 struct Frame {
   Image image;
   ParameterValues parameters;  // the complete set that was used

@@ -16,6 +16,7 @@ namespace {
 
 constexpr double kContactPixels = 6.0;
 constexpr double kContactTexels = 3.0;
+constexpr double kContactBiases = 2.0;        // a normal offset gains more than its length on a slope
 constexpr double kWidestContact = 3.0;        // px; below, a penumbra has no softness to be wrong
 constexpr double kReachWidths = 2.0;          // from one width outside to the far end of the penumbra
 constexpr double kEdgeTexels = 1.5;           // half a texel of sampling, one of its neighbour
@@ -138,6 +139,7 @@ bool in_contact(const FaultInput& input, size_t i) {
   if (!(distance > 0.0)) return false;
   if (input.settings.contact_distance_world) return distance < *input.settings.contact_distance_world;
   if (input.texels.known(i) && distance < kContactTexels * input.texels.width_world[i]) return true;
+  if (!input.texels.bias_world.empty() && distance < kContactBiases * input.texels.bias_world[i]) return true;
   return distance < kContactPixels * pixel_extent_world(input.surface, i);
 }
 

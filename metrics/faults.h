@@ -32,8 +32,8 @@ inline constexpr size_t kFaultClasses = 12;
 std::string_view name_of(FaultClass fault);
 
 struct FaultSettings {
-  /// Blockers closer than this are in contact; 4 biases are a good choice. Absent: 6 pixels' extent on the
-  /// receiver or 3 texels, whichever is more.
+  /// Blockers closer than this are in contact. Absent: 6 pixels' extent on the receiver, 3 texels or 2 biases,
+  /// whichever is most.
   std::optional<double> contact_distance_world;
   double lit_epsilon = 0.01;            // fully lit: 1 - this
   double terminator_deg = 10.0;         // between shading and geometric normal
@@ -64,7 +64,7 @@ struct Faults {
 
 /// `envelope` and `profiles` are those of the same pair and mask. Beside visibility needs, in the reference,
 /// position, normal, shading_normal, primitive_id, blocker_distance_min and blocker_layers (both 0 where
-/// unknown); uses texel.x, texel.y and texel_world of the test if it has them. A component of the residual gets
+/// unknown); uses texel.x, texel.y, texel_world and bias_world of the test if it has them. A component of the residual gets
 /// the class that four fifths of it speak for; a mixed one is divided. Error{input} on size mismatch, missing
 /// channels, NaN, values outside [0,1].
 Faults classify_faults(const Image& test, const Image& reference, std::span<const uint8_t> mask,

@@ -177,6 +177,15 @@ void require_settings(const PenumbraSettings& settings) {
 
 }  // namespace
 
+// By the delta method: the root's slope times the standard error of the mean square.
+double rms_se(std::span<const double> values) {
+  const double n = static_cast<double>(values.size()), root = rms(values);
+  if (values.size() < 2 || root == 0.0) return 0.0;
+  double sum = 0.0;
+  for (const double value : values) sum += std::pow(value * value - root * root, 2);
+  return std::sqrt(sum / (n * (n - 1.0))) / (2.0 * root);
+}
+
 std::optional<Spread> spread_of(std::vector<double> values) {
   if (values.empty()) return std::nullopt;
   std::sort(values.begin(), values.end());
@@ -186,7 +195,7 @@ std::optional<Spread> spread_of(std::vector<double> values) {
     return std::lerp(values[below], values[std::min(below + 1, values.size() - 1)],
                      at - static_cast<double>(below));
   };
-  return Spread{quantile(0.5), quantile(0.05), quantile(0.95), rms(values)};
+  return Spread{quantile(0.5), quantile(0.05), quantile(0.95), rms(values), rms_se(values), values.size()};
 }
 
 PenumbraError measure_penumbra(const Image& test, const Image& reference, std::span<const uint8_t> mask,

@@ -59,7 +59,9 @@ struct PenumbraProfile {
 
 struct Spread {
   double median = 0.0, p5 = 0.0, p95 = 0.0;
-  double rmse = 0.0;  // root mean square, from 0
+  double rmse = 0.0;     // root mean square, from 0
+  double rmse_se = 0.0;  // its standard error if the values were independent; 0 for a single one
+  size_t count = 0;
 };
 
 /// Absent spreads: no profile was accepted.

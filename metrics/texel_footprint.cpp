@@ -38,7 +38,11 @@ TexelView checked_texels(const Image& test, std::span<const uint8_t> mask) {
   require_range(test, "texel.x", mask, -kLargest, kLargest);
   require_range(test, "texel.y", mask, -kLargest, kLargest);
   require_range(test, "texel_world", mask, 0.0f, kLargest);
-  return {test.plane("texel.x"), test.plane("texel.y"), test.plane("texel_world")};
+  TexelView texels = {test.plane("texel.x"), test.plane("texel.y"), test.plane("texel_world"), {}};
+  if (!test.has("bias_world")) return texels;
+  require_range(test, "bias_world", mask, 0.0f, kLargest);
+  texels.bias_world = test.plane("bias_world");
+  return texels;
 }
 
 TexelStep texel_step(const TexelView& texels, const SurfaceView& surface, size_t i) {

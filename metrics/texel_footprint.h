@@ -19,12 +19,13 @@ struct TexelStep {
 /// no single map.
 struct TexelView {
   std::span<const float> x, y, width_world;
+  std::span<const float> bias_world;  // empty where the technique's bias is not known
 
   bool known() const { return !x.empty(); }
   bool known(size_t i) const { return known() && width_world[i] > 0.0f; }
 };
 
-/// texel.x, texel.y and texel_world of `test` if it has all three. Error{input} when they are not finite at a
+/// texel.x, texel.y and texel_world of `test` if it has all three, and bias_world if it has that, too. Error{input} when they are not finite at a
 /// masked pixel.
 TexelView checked_texels(const Image& test, std::span<const uint8_t> mask);
 

@@ -228,6 +228,7 @@ class GlRenderer final : public Renderer {
     if (const auto warning = check_visibility(frame.image, technique.id)) frame.warnings.push_back(*warning);
     if (!plan.center_view) return;
     add_texel_planes(*plan.center_view, frame.image);
+    add_bias_plane(frame.parameters, frame.image);
     const double outside = share_outside(frame.image, plan.center_view->view);
     if (outside == 0.0) return;
     frame.warnings.push_back(

@@ -5,6 +5,7 @@
 #include "study/format.h"
 #include "study/judgement_format.h"
 #include "study/metadata.h"
+#include "study/similarity_format.h"
 
 #include <fmt/format.h>
 
@@ -42,7 +43,8 @@ std::string error_lines(const TechniqueResult& run) {
          line("penumbra", region_text(error.penumbra)) + line("umbra", region_text(error.umbra)) +
          line("scored", fmt::format("{} pixels", error.scored_pixels)) +
          line("beyond the scale", format_share(run.clipped_share)) +
-         term_lines(judgement_lines(run.judgement));
+         term_lines(judgement_lines(run.judgement)) +
+         (run.similarity ? term_lines(similarity_lines(*run.similarity)) : "");
 }
 
 std::string diagnosis_lines(const TechniqueResult& run) {

@@ -1,5 +1,7 @@
 #include "study/diagnosis.h"
 
+#include "metrics/texel_footprint.h"
+
 #include <numeric>
 
 namespace umbrameter {
@@ -14,6 +16,19 @@ std::optional<Spread> offset_widths(const PenumbraError& penumbra) {
   for (const PenumbraProfile& profile : penumbra.profiles) {
     if (profile.outcome == ProfileOutcome::accepted)
       offsets.push_back(profile.offset_world / profile.reference_width_world);
+  }
+  return spread_of(std::move(offsets));
+}
+
+std::optional<Spread> offset_texels(const PenumbraError& penumbra, const Image& test,
+                                    std::span<const uint8_t> mask) {
+  const TexelView texels = checked_texels(test, mask);
+  std::vector<double> offsets;
+  for (const PenumbraProfile& profile : penumbra.profiles) {
+    const size_t i =
+        static_cast<size_t>(profile.y) * static_cast<size_t>(test.width) + static_cast<size_t>(profile.x);
+    if (profile.outcome == ProfileOutcome::accepted && texels.known(i))
+      offsets.push_back(profile.offset_world / static_cast<double>(texels.width_world[i]));
   }
   return spread_of(std::move(offsets));
 }
@@ -37,18 +52,20 @@ std::optional<FaultClass> worst_fault(const FaultNumbers& faults) {
 }
 
 DiagnosedImage diagnose(const Image& test, const Image& reference, std::span<const uint8_t> mask) {
-  const PenumbraError penumbra = measure_penumbra(test, reference, mask);
+  PenumbraError penumbra = measure_penumbra(test, reference, mask);
   const Envelope envelope = measure_envelope(test, reference, mask, penumbra.profiles);
   Faults faults = classify_faults(test, reference, mask, penumbra.profiles, envelope);
   DiagnosedImage out;
-  out.numbers.penumbra = {penumbra.outcomes, penumbra.width_octaves, penumbra.width_10_90_octaves,
-                          penumbra.offset_world, offset_widths(penumbra)};
+  out.numbers.penumbra = {
+      penumbra.outcomes,     penumbra.width_octaves,  penumbra.width_10_90_octaves,
+      penumbra.offset_world, offset_widths(penumbra), offset_texels(penumbra, test, mask)};
   out.numbers.contact_hardening = measure_contact_hardening(penumbra);
   out.numbers.faults = {faults.scored_pixels, faults.by_class, faults.mean_abs_error,
                         faults.peter_panning_gap_world};
   out.numbers.moire = measure_moire(test, reference, mask, faults);
   out.numbers.causes = measure_causes(test, reference, mask, penumbra.profiles);
   out.classes = std::move(faults.classes);
+  out.profiles = std::move(penumbra.profiles);
   return out;
 }
 

@@ -24,6 +24,7 @@ struct PenumbraNumbers {
   std::optional<Spread> width_10_90_octaves;
   std::optional<Spread> offset_world;
   std::optional<Spread> offset_widths;  // the same, in widths of the true penumbra
+  std::optional<Spread> offset_texels;  // the same, in widths of a texel facing the light; of known texels
 
   size_t accepted() const { return outcomes[0]; }
   size_t rejected() const;
@@ -50,6 +51,7 @@ struct Diagnosis {
 struct DiagnosedImage {
   Diagnosis numbers;
   std::vector<FaultClass> classes;  // [height][width]
+  std::vector<PenumbraProfile> profiles;
 };
 
 /// The class with the largest part of the mean absolute error, a wrong softness among them; not what is explained.

@@ -78,10 +78,13 @@ std::string format_worst_fault(const std::optional<Diagnosis>& diagnosis) {
 }
 
 TermLines penumbra_lines(const Diagnosis& diagnosis) {
-  return {{"penumbra width", spread_text(diagnosis.penumbra.width_octaves, "octaves")},
-          {"edge offset", spread_text(diagnosis.penumbra.offset_world, "world units")},
-          {"profiles", profiles_text(diagnosis.penumbra)},
-          {"contact hardening", hardening_text(diagnosis.contact_hardening)}};
+  TermLines lines{{"penumbra width", spread_text(diagnosis.penumbra.width_octaves, "octaves")},
+                  {"edge offset", spread_text(diagnosis.penumbra.offset_world, "world units")}};
+  if (diagnosis.penumbra.offset_texels)
+    lines.emplace_back("offset in texels", spread_text(diagnosis.penumbra.offset_texels, "texels"));
+  lines.emplace_back("profiles", profiles_text(diagnosis.penumbra));
+  lines.emplace_back("contact hardening", hardening_text(diagnosis.contact_hardening));
+  return lines;
 }
 
 TermLines fault_lines(const Diagnosis& diagnosis) {

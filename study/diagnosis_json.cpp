@@ -12,12 +12,14 @@ using OrderedJson = nlohmann::ordered_json;
 
 OrderedJson spread_json(const std::optional<Spread>& spread) {
   if (!spread) return nullptr;
-  return {{"median", spread->median}, {"p5", spread->p5}, {"p95", spread->p95}, {"rmse", spread->rmse}};
+  return {{"median", spread->median}, {"p5", spread->p5},           {"p95", spread->p95},
+          {"rmse", spread->rmse},     {"rmse_se", spread->rmse_se}, {"count", spread->count}};
 }
 
 std::optional<Spread> read_spread(const Json& json) {
   if (json.is_null()) return std::nullopt;
-  return Spread{json.at("median"), json.at("p5"), json.at("p95"), json.at("rmse")};
+  return Spread{json.at("median"), json.at("p5"),      json.at("p95"),
+                json.at("rmse"),   json.at("rmse_se"), json.at("count")};
 }
 
 OrderedJson penumbra_json(const PenumbraNumbers& penumbra) {
@@ -29,6 +31,7 @@ OrderedJson penumbra_json(const PenumbraNumbers& penumbra) {
           {"width_10_90_octaves", spread_json(penumbra.width_10_90_octaves)},
           {"offset_world", spread_json(penumbra.offset_world)},
           {"offset_widths", spread_json(penumbra.offset_widths)},
+          {"offset_texels", spread_json(penumbra.offset_texels)},
           {"accepted", penumbra.accepted()},
           {"rejected", penumbra.rejected()},
           {"profiles", outcomes}};
@@ -40,6 +43,7 @@ PenumbraNumbers read_penumbra(const Json& json) {
   penumbra.width_10_90_octaves = read_spread(json.at("width_10_90_octaves"));
   penumbra.offset_world = read_spread(json.at("offset_world"));
   penumbra.offset_widths = read_spread(json.at("offset_widths"));
+  penumbra.offset_texels = read_spread(json.at("offset_texels"));
   for (size_t k = 0; k < kProfileOutcomes; ++k) {
     penumbra.outcomes[k] = json.at("profiles").at(std::string(name_of(static_cast<ProfileOutcome>(k))));
   }

@@ -41,6 +41,15 @@ std::optional<double> width(const GateRun& run) {
   return run.diagnosis ? rms(run.diagnosis->penumbra.width_octaves) : std::nullopt;
 }
 
+// Twice the standard error of the difference of two spreads: what other profiles of the same shadows may differ by.
+double doubt(const GateRun& run, const GateRun* baseline, std::optional<Spread> PenumbraNumbers::*spread) {
+  const auto variance_of = [spread](const GateRun& r) {
+    const auto& value = r.diagnosis ? r.diagnosis->penumbra.*spread : std::nullopt;
+    return value ? value->rmse_se * value->rmse_se : 0.0;
+  };
+  return 2.0 * std::sqrt(variance_of(run) + (baseline != nullptr ? variance_of(*baseline) : 0.0));
+}
+
 std::optional<double> offset(const GateRun& run) {
   return run.diagnosis ? rms(run.diagnosis->penumbra.offset_widths) : std::nullopt;
 }
@@ -50,12 +59,12 @@ std::optional<double> hardening(const GateRun& run) {
   return std::abs(*run.diagnosis->contact_hardening.slope - 1.0);
 }
 
-// Fine shadows differ from the 3 x 3 mean without noise; what the truth has is none.
+// Fine shadows differ from the 3 x 3 mean without noise; what the truth has is none. A difference of squares would
+// make much of a fluctuation where the truth itself has a lot.
 std::optional<double> noise(const GateRun& run) {
   if (!run.diagnosis || !run.diagnosis->causes.noise || !run.diagnosis->causes.reference_noise)
     return std::nullopt;
-  const double test = *run.diagnosis->causes.noise, truth = *run.diagnosis->causes.reference_noise;
-  return std::sqrt(std::max(0.0, test * test - truth * truth));
+  return std::max(0.0, *run.diagnosis->causes.noise - *run.diagnosis->causes.reference_noise);
 }
 
 std::optional<double> banding(const GateRun& run) {
@@ -73,6 +82,20 @@ std::optional<double> fault_share(const GateRun& run, FaultClass fault) {
 std::optional<double> penumbra_share(const GateRun& run) {
   if (!run.diagnosis) return std::nullopt;
   return *fault_share(run, FaultClass::penumbra) + *fault_share(run, FaultClass::overlap);
+}
+
+// What a finer map no longer excuses: error that was there before, as long as the total has not grown.
+double moved_from_resolution(const GateRun& run, const GateRun& baseline) {
+  if (!run.diagnosis || !baseline.diagnosis) return 0.0;
+  const auto total = [](const GateRun& r) {
+    double sum = 0.0;
+    for (size_t k = static_cast<size_t>(FaultClass::acne); k < kFaultClasses; ++k)
+      sum += r.diagnosis->faults.by_class[k].mean_abs_error;
+    return sum;
+  };
+  if (total(run) > total(baseline)) return 0.0;
+  return std::max(0.0,
+                  *fault_share(baseline, FaultClass::resolution) - *fault_share(run, FaultClass::resolution));
 }
 
 GateMeasure measure(GateClass kind, const std::optional<double>& value, const std::optional<double>& baseline,
@@ -141,20 +164,24 @@ GateVerdict judge_gate(const GateRun& run, const GateRun* baseline, bool worse, 
   verdict.kind = void_reason(run);
   if (verdict.kind) return verdict;
   // What only one of the two lets measure cannot be compared.
-  const auto add = [&](GateClass kind, const auto& value_of, const GateLimit& limit) {
+  const auto add = [&](GateClass kind, const auto& value_of, const GateLimit& limit, double more = 0.0) {
     std::optional<double> value = value_of(run);
     const std::optional<double> before = baseline != nullptr ? value_of(*baseline) : std::nullopt;
     if (baseline != nullptr && !before) value.reset();
     verdict.measures.push_back(measure(kind, value, before, limit));
+    verdict.measures.back().allowed += more;
   };
+  const double moved = baseline != nullptr ? moved_from_resolution(run, *baseline) : 0.0;
   for (const auto& [fault, kind] : kFaults) {
+    const bool is_resolution = kind == GateClass::resolution;
     add(
-        kind, [fault = fault](const GateRun& r) { return fault_share(r, fault); }, limits.fault);
+        kind, [fault = fault](const GateRun& r) { return fault_share(r, fault); },
+        is_resolution ? limits.resolution : limits.fault, is_resolution ? 0.0 : moved);
   }
-  add(GateClass::softness, penumbra_share, limits.fault);
-  add(GateClass::softness, width, limits.softness);
+  add(GateClass::softness, penumbra_share, limits.fault, moved);
+  add(GateClass::softness, width, limits.softness, doubt(run, baseline, &PenumbraNumbers::width_octaves));
   add(GateClass::hardening, hardening, limits.hardening);
-  add(GateClass::offset, offset, limits.offset);
+  add(GateClass::offset, offset, limits.offset, doubt(run, baseline, &PenumbraNumbers::offset_widths));
   add(GateClass::noise, noise, limits.noise);
   add(GateClass::banding, banding, limits.banding);
   std::vector<GateMeasure> causes = verdict.measures;

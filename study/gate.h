@@ -57,13 +57,14 @@ struct GateLimit {
 };
 
 struct GateLimits {
-  GateLimit fault = {2e-4, 0.5};      // a class's part of the mean absolute error
-  GateLimit softness = {0.2, 0.25};   // root mean square of width, in octaves
-  GateLimit hardening = {0.3, 0.25};  // distance of the slope from 1
-  GateLimit offset = {0.15, 0.25};    // root mean square of the edges' offsets, in widths of their penumbrae
-  GateLimit noise = {0.02, 0.5};      // standard deviation of visibility beyond the truth's
-  GateLimit banding = {0.3, 0.25};    // 1 - levels / pixels
-  GateLimit error = {0.03, 0.25};     // RMSE, where it is worse for certain
+  GateLimit fault = {2e-4, 0.5};       // a class's part of the mean absolute error
+  GateLimit resolution = {2e-4, 1.0};  // the same; where texels fall against edges is chance
+  GateLimit softness = {0.2, 0.25};    // root mean square of width, in octaves
+  GateLimit hardening = {0.3, 0.25};   // distance of the slope from 1
+  GateLimit offset = {0.15, 0.25};     // root mean square of the edges' offsets, in widths of their penumbrae
+  GateLimit noise = {0.02, 0.5};       // standard deviation of visibility beyond the truth's
+  GateLimit banding = {0.3, 0.25};     // 1 - levels / pixels
+  GateLimit error = {0.03, 0.25};      // RMSE, where it is worse for certain
 };
 
 /// One thing that was measured; absent values do not apply.

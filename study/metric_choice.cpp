@@ -10,14 +10,16 @@ namespace umbrameter {
 
 MetricChoice choose_metrics(std::string_view list) {
   if (list.empty()) return {};
-  static const std::array<std::string, 4> known = {"error", "significance", "verdict", "diagnosis"};
-  MetricChoice choice = {false, false, false};
+  static const std::array<std::string, 5> known = {"error", "significance", "verdict", "diagnosis",
+                                                   "similarity"};
+  MetricChoice choice = {false, false, false, false};
   for (size_t begin = 0; begin <= list.size();) {
     const size_t end = std::min(list.find(',', begin), list.size());
     const std::string_view name = list.substr(begin, end - begin);
     if (name == "significance") choice.significance = true;
     if (name == "verdict") choice.verdict = true;
     if (name == "diagnosis") choice.diagnosis = true;
+    if (name == "similarity") choice.similarity = true;
     if (std::find(known.begin(), known.end(), name) == known.end()) {
       fail_input(fmt::format("unknown metric '{}'", name), {}, suggest_name(name, known));
     }

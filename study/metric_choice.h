@@ -11,12 +11,17 @@ struct MetricChoice {
   bool significance = true;
   bool verdict = true;
   bool diagnosis = true;
+  bool similarity = true;
 };
 
 inline constexpr const char* kMetricsHelp =
-    "comma-separated: error, significance, verdict, diagnosis (default: all; error is always there)";
+    "comma-separated: error, significance, verdict, diagnosis, similarity (default: all; error is always "
+    "there)";
 
-/// "error,significance,verdict,diagnosis" or a part of it; empty = all. Error{input} for an unknown name.
+inline constexpr const char* kMapsHelp =
+    "also write the metrics' answers pixel by pixel: an EXR of z, fault class, width error and FLIP a run";
+
+/// "error,significance,verdict,diagnosis,similarity" or a part of it; empty = all. Error{input} for an unknown name.
 MetricChoice choose_metrics(std::string_view list);
 
 }  // namespace umbrameter

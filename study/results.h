@@ -10,6 +10,7 @@
 #include "study/diagnosis.h"
 #include "study/frame_times.h"
 #include "study/judgement.h"
+#include "study/similarity.h"
 
 #include <cstdint>
 #include <optional>
@@ -79,6 +80,7 @@ struct TechniqueResult {
   Judgement judgement;                      // empty without `error`
   std::optional<Diagnosis> diagnosis;       // absent without `error`, and when a warning says why
   std::optional<TemporalNumbers> temporal;  // when asked for
+  std::optional<Similarity> similarity;     // when asked for
   double clipped_share = 0.0;               // of scored pixels, beyond the error picture's scale
   std::vector<PassTime> pass_times;
   std::string timer;
@@ -90,6 +92,7 @@ struct TechniqueResult {
   std::string picture_file;
   std::string error_picture_file;
   std::string fault_picture_file;
+  std::string maps_file;  // EXR of study/maps.h, when asked for
 };
 
 struct SceneResult {

@@ -9,7 +9,7 @@
 
 namespace umbrameter {
 
-inline constexpr int kResultsSchema = 2;
+inline constexpr int kResultsSchema = 3;
 
 /// The whole document, indented, ending in a newline; equal results give equal bytes.
 std::string to_json_text(const Results& results);

@@ -5,6 +5,7 @@
 #include "study/json_parts.h"
 #include "study/judgement_json.h"
 #include "study/run_json.h"
+#include "study/similarity_json.h"
 
 #include <nlohmann/json.hpp>
 
@@ -59,6 +60,7 @@ std::string to_json_text(const Score& score, const std::string& test_file,
             {"error", score.error ? error_json(*score.error) : Json(nullptr)}};
   add_judgement(score.judgement, json);
   add_diagnosis(score.diagnosis, json);
+  json["similarity"] = similarity_json(score.similarity);
   json["no_diagnosis"] = failure_json(score.no_diagnosis);
   return dump(json);
 }

@@ -3,6 +3,7 @@
 #include "study/diagnosis_json.h"
 #include "study/json_optional.h"
 #include "study/judgement_json.h"
+#include "study/similarity_json.h"
 
 namespace umbrameter {
 namespace {
@@ -105,6 +106,8 @@ TechniqueResult read_technique(const nlohmann::json& json) {
   run.judgement = read_judgement(json);
   run.diagnosis = read_diagnosis(json);
   run.temporal = read_temporal(json.at("temporal"));
+  run.similarity = read_similarity(json.at("similarity"));
+  run.maps_file = json.at("maps_file");
   return run;
 }
 

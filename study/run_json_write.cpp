@@ -3,6 +3,7 @@
 #include "study/json_parts.h"
 #include "study/judgement_json.h"
 #include "study/run_json.h"
+#include "study/similarity_json.h"
 
 namespace umbrameter {
 
@@ -70,6 +71,8 @@ Json technique_json(const TechniqueResult& run) {
   add_judgement(run.judgement, json);
   add_diagnosis(run.diagnosis, json);
   json["temporal"] = temporal_json(run.temporal);
+  json["similarity"] = similarity_json(run.similarity);
+  json["maps_file"] = run.maps_file;
   return json;
 }
 

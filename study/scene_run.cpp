@@ -154,7 +154,7 @@ void score_technique(const SceneContext& context, const Image& reference, Techni
   Score score;
   result.failure = guarded([&] {
     score = score_image(image, reference, context.job.scene.camera.eye_world,
-                        {context.plan.metrics, context.plan.limit_rmse});
+                        {context.plan.metrics, context.plan.limit_rmse, context.plan.maps});
   });
   if (result.failure) return;
   result.picture_file = context.relative(stem + ".png");
@@ -162,6 +162,11 @@ void score_technique(const SceneContext& context, const Image& reference, Techni
   if (!score.error) return;
   result.error = score.error;
   result.judgement = score.judgement;
+  result.similarity = score.similarity;
+  if (score.maps) {
+    result.maps_file = context.relative(stem + "-maps.exr");
+    save_image(context, result.maps_file, *score.maps);
+  }
   run.mask = score.mask;
   result.error_picture_file = context.relative(stem + "-error.png");
   const Picture picture = signed_error_picture(image, reference, score.mask);

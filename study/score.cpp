@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "study/guard.h"
+#include "study/maps.h"
 
 #include <fmt/ranges.h>
 
@@ -75,16 +76,22 @@ Score score_image(const Image& test, const Image& reference, const glm::dvec3& e
   if (!score.parity.passes) return score;
   score.mask = scored_mask(score.parity, reference);
   score.error = measure_visibility_error(test, reference, score.mask);
+  if (settings.maps) score.maps = Image(test.width, test.height);
+  Image* maps = score.maps ? &*score.maps : nullptr;
   if (settings.metrics.significance) {
-    score.judgement.significance = significance_numbers(measure_significance(test, reference, score.mask));
+    const Significance significance = measure_significance(test, reference, score.mask);
+    score.judgement.significance = significance_numbers(significance);
+    if (maps != nullptr) add_z_map(significance, *maps);
   }
   if (settings.limit_rmse) {
     score.judgement.limit = judge_against(*settings.limit_rmse, *score.error, reference, score.mask);
   }
+  if (settings.metrics.similarity) score.similarity = measure_similarity(test, reference, score.mask, maps);
   if (!settings.metrics.diagnosis) return score;
   score.no_diagnosis = guarded([&] {
     DiagnosedImage diagnosed = diagnose(test, reference, score.mask);
     score.diagnosis = diagnosed.numbers;
+    if (maps != nullptr) add_diagnosis_maps(diagnosed, score.mask, *maps);
     score.fault_classes = std::move(diagnosed.classes);
   });
   return score;

@@ -6,6 +6,7 @@
 #include "metrics/visibility_error.h"
 #include "study/metric_choice.h"
 #include "study/results.h"
+#include "study/similarity.h"
 
 #include <glm/vec3.hpp>
 
@@ -26,11 +27,14 @@ struct Score {
   std::optional<Diagnosis> diagnosis;
   std::vector<FaultClass> fault_classes;  // [height][width]; empty without diagnosis
   std::optional<Failure> no_diagnosis;    // why; `error` stands without it
+  std::optional<Similarity> similarity;
+  std::optional<Image> maps;  // see study/maps.h; when asked for
 };
 
 struct ScoreSettings {
   MetricChoice metrics;
   std::optional<double> limit_rmse;
+  bool maps = false;  // of the metrics that are asked for
 };
 
 /// The image with its visibility under that name. Accepts `visibility`, `Y`, a single channel of any name, or

@@ -48,6 +48,7 @@ struct ValidationPlan {
   std::string
       baseline;  // label of the technique that verdicts compare with; empty = a scene's first with a result
   std::optional<double> limit_rmse;
+  bool maps = false;  // also an EXR of study/maps.h a run
 };
 
 struct Renderers {

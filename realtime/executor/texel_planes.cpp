@@ -1,8 +1,21 @@
 #include "realtime/executor/texel_planes.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
+#include <variant>
 
 namespace umbrameter {
+namespace {
+
+std::optional<double> real_parameter(const ParameterValues& parameters, const char* name) {
+  const auto found = parameters.find(name);
+  if (found == parameters.end()) return std::nullopt;
+  const double* value = std::get_if<double>(&found->second);
+  return value != nullptr ? std::optional(*value) : std::nullopt;
+}
+
+}  // namespace
 
 void add_texel_planes(const FittedView& fitted, Image& image) {
   const std::span<float> u = image.add_plane("texel.x");
@@ -21,6 +34,22 @@ void add_texel_planes(const FittedView& fitted, Image& image) {
     u[i] = static_cast<float>((p.x - bounds.x) / texel.x);
     v[i] = static_cast<float>((p.y - bounds.y) / texel.y);
     width_world[i] = static_cast<float>(std::max(texel.x, texel.y) * (view.is_orthographic ? 1.0 : p.z));
+  }
+}
+
+void add_bias_plane(const ParameterValues& parameters, Image& image) {
+  const auto mode = parameters.find("bias_mode");
+  if (mode != parameters.end() && mode->second == ParameterValue(std::string("auto"))) return;
+  const std::optional<double> world = real_parameter(parameters, "bias_world"),
+                              texels = real_parameter(parameters, "bias_texels"),
+                              offset_texels = real_parameter(parameters, "normal_offset_texels");
+  if (!world && !texels && !offset_texels) return;
+  const std::span<float> bias_world = image.add_plane("bias_world");
+  const std::span<const float> texel_world = std::as_const(image).plane("texel_world");
+  for (size_t i = 0; i < bias_world.size(); ++i) {
+    const double sum =
+        world.value_or(0.0) + (texels.value_or(0.0) + offset_texels.value_or(0.0)) * texel_world[i];
+    if (texel_world[i] > 0.0f) bias_world[i] = static_cast<float>(sum);
   }
 }
 

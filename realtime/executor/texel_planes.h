@@ -2,6 +2,7 @@
 // Where each visible point falls in the light's map, so that errors can be told by the map's resolution.
 
 #include "core/image.h"
+#include "core/parameters.h"
 #include "realtime/executor/run_views.h"
 
 namespace umbrameter {
@@ -9,5 +10,9 @@ namespace umbrameter {
 /// Adds texel.x, texel.y and texel_world (core/renderer.h) from `image`'s position and primitive_id. The wider
 /// side of a texel counts, as in shaders/lib/spaces.glsl. 0 behind a perspective view's light, too.
 void add_texel_planes(const FittedView& fitted, Image& image);
+
+/// Adds bias_world, how far a technique moves its comparison towards the light at most, if `parameters` has manual
+/// bias_world, bias_texels or normal_offset_texels (techniques/shared/bias_offsets.toml). Needs texel_world.
+void add_bias_plane(const ParameterValues& parameters, Image& image);
 
 }  // namespace umbrameter

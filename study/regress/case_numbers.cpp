@@ -27,8 +27,14 @@ void set(Measures& measures, const char* name, const std::optional<double>& valu
   if (value) measures[name] = *value;
 }
 
+std::string se_name(const char* name) {
+  return std::string(name) + "_se";
+}
+
 void set(Measures& measures, const char* name, const std::optional<Spread>& spread) {
-  if (spread) measures[name] = spread->rmse;
+  if (!spread) return;
+  measures[name] = spread->rmse;
+  measures[se_name(name)] = spread->rmse_se;
 }
 
 std::optional<double> get(const Measures& measures, const std::string& name) {
@@ -41,6 +47,7 @@ std::optional<Spread> get_spread(const Measures& measures, const char* name) {
   if (!value) return std::nullopt;
   Spread spread;
   spread.rmse = *value;
+  spread.rmse_se = get(measures, se_name(name)).value_or(0.0);
   return spread;
 }
 

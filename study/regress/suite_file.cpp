@@ -14,8 +14,9 @@
 namespace umbrameter {
 namespace {
 
-constexpr std::array<std::pair<const char*, GateLimit GateLimits::*>, 7> kLimits = {
+constexpr std::array<std::pair<const char*, GateLimit GateLimits::*>, 8> kLimits = {
     {{"fault", &GateLimits::fault},
+     {"resolution", &GateLimits::resolution},
      {"softness", &GateLimits::softness},
      {"hardening", &GateLimits::hardening},
      {"offset", &GateLimits::offset},

@@ -16,7 +16,8 @@ constexpr double kSamePlace = 1e-3;  // of the distance to the eye
 constexpr std::array kShadowChannels = {
     "visibility",       "visibility_se", "half_a",           "half_b",
     "irradiance_ratio", "sample_count",  "blocker_distance", "blocker_distance_min",
-    "blocker_layers",   "texel.x",       "texel.y",          "texel_world"};
+    "blocker_layers",   "texel.x",       "texel.y",          "texel_world",
+    "bias_world"};
 
 std::string key_of(const TechniqueChoice& choice) {
   std::string key = choice.technique;

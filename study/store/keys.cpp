@@ -37,7 +37,8 @@ std::string run_key(const std::string& reference, const TechniqueRun& run, uint6
   hasher.text("run").text(kRealtimeCodeHash).text(kScoringCodeHash).text(reference);
   hasher.text(makers.realtime).text(makers.shaders).text(run.hash);
   hasher.bytes(&seed, sizeof seed);
-  for (const bool chosen : {metrics.significance, metrics.diagnosis}) hasher.number(chosen ? 1.0 : 0.0);
+  for (const bool chosen : {metrics.significance, metrics.diagnosis, metrics.similarity})
+    hasher.number(chosen ? 1.0 : 0.0);
   add(run.parameters, hasher);
   return hasher.hex();
 }

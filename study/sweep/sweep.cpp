@@ -121,6 +121,7 @@ void take_score(const Score& score, RunRecord& record) {
   record.result.error = score.error;
   record.result.judgement = score.judgement;
   record.result.diagnosis = score.diagnosis;
+  record.result.similarity = score.similarity;
   if (score.no_diagnosis)
     record.result.warnings.push_back("the faults could not be told apart: " + score.no_diagnosis->message);
 }

@@ -141,6 +141,21 @@ TEST(Faults, AGapUnderAnObjectInContactIsPeterPanning) {
   EXPECT_EQ(strict.of(FaultClass::geometric_leak).pixels, injected);
 }
 
+TEST(Faults, ABiasReachesAsFarAsItIsLong) {
+  Image reference = half_plane();
+  for_rectangle(20, 20, 60, 100, [&](size_t i) { reference.plane("blocker_distance_min")[i] = 0.3f; });
+  Image test = reference;
+  for (const char* channel : {"texel.x", "texel.y"}) test.add_plane(channel);
+  test.add_plane("texel_world", 0.01f);
+  const size_t injected =
+      for_rectangle(30, 30, 36, 90, [&](size_t i) { test.plane("visibility")[i] = 1.0f; });
+  EXPECT_EQ(classify(test, reference).of(FaultClass::geometric_leak).pixels, injected);
+  test.add_plane("bias_world", 0.2f);
+  EXPECT_EQ(classify(test, reference).of(FaultClass::peter_panning).pixels, injected);
+  test.plane("bias_world")[0] = -1.0f;
+  EXPECT_THROW(classify(test, reference), Error);
+}
+
 TEST(Faults, DimLightBehindTwoBlockersIsBleed) {
   Image reference = half_plane();
   for_rectangle(10, 20, 70, 100, [&](size_t i) { reference.plane("blocker_layers")[i] = 2.0f; });

@@ -41,6 +41,25 @@ TEST(TexelPlanes, perspective_texels_grow_with_distance) {
   EXPECT_FLOAT_EQ(image.plane("texel_world")[0], 0.16f);  // the wider side: 4 / 100, four units away
 }
 
+TEST(TexelPlanes, biases_add_up_in_world_units) {
+  Image image = points({1.0f, -4.0f, 2.0f});
+  add_texel_planes(view_down(false), image);
+  add_bias_plane({{"bias_world", 0.5}, {"bias_texels", 2.0}, {"normal_offset_texels", 1.0}}, image);
+  EXPECT_FLOAT_EQ(image.plane("bias_world")[0], 0.5f + 3.0f * 0.16f);
+  EXPECT_EQ(image.plane("bias_world")[1], 0.0f);  // background
+}
+
+TEST(TexelPlanes, without_a_manual_bias_there_is_none) {
+  for (const ParameterValues& parameters :
+       {ParameterValues{{"taps", int64_t{4}}},
+        ParameterValues{{"bias_mode", std::string("auto")}, {"bias_texels", 2.0}}}) {
+    Image image = points({1.0f, -4.0f, 2.0f});
+    add_texel_planes(view_down(false), image);
+    add_bias_plane(parameters, image);
+    EXPECT_FALSE(image.has("bias_world"));
+  }
+}
+
 TEST(TexelPlanes, orthographic_texels_do_not) {
   Image image = points({0.5f, -4.0f, 1.0f});
   add_texel_planes(view_down(true), image);

@@ -84,7 +84,7 @@ TEST(Gate, GrainIsNotBanding) {
   GateRun run = clean_run();
   run.diagnosis->causes.banding = 0.9;
   EXPECT_EQ(judge_gate(run, nullptr, false).kind, GateClass::banding);
-  run.diagnosis->causes.noise = 0.05;
+  run.diagnosis->causes.noise = 0.07;
   run.diagnosis->causes.reference_noise = 0.04;
   EXPECT_EQ(judge_gate(run, nullptr, false).kind, GateClass::noise);
 }
@@ -109,6 +109,30 @@ TEST(Gate, WhatVoidsARunIsSaidFirst) {
   const GateVerdict verdict = judge_gate(run, nullptr, false);
   EXPECT_EQ(verdict.kind, GateClass::failure);
   EXPECT_TRUE(verdict.measures.empty());
+}
+
+TEST(Gate, WhatAFinerMapNoLongerExcusesIsNoNewFault) {
+  GateRun baseline = with_share(FaultClass::resolution, 2e-3);
+  GateRun run = with_share(FaultClass::resolution, 1e-3);
+  run.diagnosis->faults.by_class[static_cast<size_t>(FaultClass::penumbra)].mean_abs_error = 9e-4;
+  EXPECT_TRUE(judge_gate(run, &baseline, false).passes());
+  // With more error in all it is one, and so it is without the resolution's decline.
+  run.diagnosis->faults.by_class[static_cast<size_t>(FaultClass::penumbra)].mean_abs_error = 1.1e-3;
+  EXPECT_EQ(judge_gate(run, &baseline, false).kind, GateClass::softness);
+  baseline = with_share(FaultClass::acne, 2e-3);
+  run = with_share(FaultClass::geometric_leak, 9e-4);
+  EXPECT_EQ(judge_gate(run, &baseline, false).kind, GateClass::geometric_leak);
+}
+
+TEST(Gate, FewProfilesAreDoubtful) {
+  const auto with_width = [](double rmse, double rmse_se) {
+    GateRun run = clean_run();
+    run.diagnosis->penumbra.width_octaves = Spread{0.0, -rmse, rmse, rmse, rmse_se, 5};
+    return run;
+  };
+  const GateRun baseline = with_width(0.2, 0.0);
+  EXPECT_EQ(judge_gate(with_width(0.5, 0.0), &baseline, false).kind, GateClass::softness);
+  EXPECT_TRUE(judge_gate(with_width(0.5, 0.05), &baseline, false).passes());
 }
 
 TEST(Gate, SeverityIsOneAtTheLimit) {

@@ -38,9 +38,9 @@ TEST(Results, KeepTheDiagnosis) {
   TechniqueResult run;
   Diagnosis& diagnosis = run.diagnosis.emplace();
   diagnosis.penumbra.outcomes = {8, 7, 6, 5, 4, 3, 2, 1};
-  diagnosis.penumbra.width_octaves = Spread{0.1, -0.2, 0.3, 0.15};
-  diagnosis.penumbra.offset_world = Spread{0.01, -0.02, 0.03, 0.02};
-  diagnosis.penumbra.offset_widths = Spread{0.1, -0.2, 0.3, 0.2};
+  diagnosis.penumbra.width_octaves = Spread{0.1, -0.2, 0.3, 0.15, 0.05, 7};
+  diagnosis.penumbra.offset_world = Spread{0.01, -0.02, 0.03, 0.02, 0.005, 7};
+  diagnosis.penumbra.offset_widths = Spread{0.1, -0.2, 0.3, 0.2, 0.05, 7};
   diagnosis.contact_hardening = {9, 2.5, 0.75, std::nullopt};
   for (size_t k = 0; k < kFaultClasses; ++k) {
     diagnosis.faults.by_class[k] = {10 + k, 20 + k, static_cast<double>(k) / 64.0};
@@ -58,6 +58,8 @@ TEST(Results, KeepTheDiagnosis) {
   EXPECT_EQ(back.penumbra.outcomes, diagnosis.penumbra.outcomes);
   EXPECT_EQ(back.penumbra.rejected(), 28u);  // 7 + 6 + ... + 1
   EXPECT_EQ(back.penumbra.width_octaves->p5, -0.2);
+  EXPECT_EQ(back.penumbra.width_octaves->rmse_se, 0.05);
+  EXPECT_EQ(back.penumbra.width_octaves->count, 7u);
   EXPECT_EQ(back.penumbra.offset_world->p95, 0.03);
   EXPECT_EQ(back.penumbra.offset_widths->p95, 0.3);
   EXPECT_FALSE(back.penumbra.width_10_90_octaves);
@@ -101,7 +103,7 @@ TEST(Results, CarryTheirContext) {
 TEST(Results, AnythingElseIsOneSentence) {
   EXPECT_THAT([] { parse_results("{", "a/results.json"); },
               ThrowsMessage<Error>(HasSubstr("a/results.json: not a results file")));
-  EXPECT_THAT([] { parse_results("{\"schema\": 2}", "r.json"); },
+  EXPECT_THAT([] { parse_results("{\"schema\": 3}", "r.json"); },
               ThrowsMessage<Error>(HasSubstr("not a results file")));
   EXPECT_THAT([] { parse_results("{\"schema\": 99}", "r.json"); },
               ThrowsMessage<Error>(HasSubstr("schema 99")));

@@ -1,0 +1,11 @@
+#pragma once
+// Second opinions for people.
+
+#include "study/diagnosis_format.h"
+#include "study/similarity.h"
+
+namespace umbrameter {
+
+TermLines similarity_lines(const Similarity& similarity);
+
+}  // namespace umbrameter
