@@ -74,6 +74,16 @@ double nearest_width_px(const FaultInput& input, size_t i) {
   return profile == nullptr ? 0.0 : profile->reference_width_px;
 }
 
+// A bias beyond what a map's texels need lets light in from the shadow's edge, too: as far as it moved the receiver.
+bool displaced(const FaultInput& input, size_t i, int32_t nearest_edge) {
+  const TexelView& texels = input.texels;
+  if (nearest_edge < 0 || texels.bias_world.empty()) return false;
+  const double bias_world = texels.bias_world[i];
+  return bias_world > kContactTexels * texels.width_world[i] &&
+         glm::distance(input.surface.p_world(i), input.surface.p_world(static_cast<size_t>(nearest_edge))) <
+             bias_world;
+}
+
 // The extreme of R that the envelope left unexplained: V is beyond it by tolerance and residual.
 double extreme_around(const FaultInput& input, size_t i, float residual, bool is_dark) {
   const double beyond = static_cast<double>(input.envelope.tolerance[i]) + residual;
@@ -92,7 +102,7 @@ Signs signs_of(const FaultInput& input, size_t i, float residual, bool is_dark, 
   add(Sign::plain, plain);
   add(Sign::terminator, normals_disagree(input, i, cosine_limit) || (!is_dark && at_own_horizon(input, i)));
   if (!is_dark) {
-    add(Sign::contact, input.r[i] < 0.5f && in_contact(input, i));
+    add(Sign::contact, input.r[i] < 0.5f && (in_contact(input, i) || displaced(input, i, nearest_edge)));
     add(Sign::layered, plain && input.blocker_layers[i] >= input.settings.bleed_layers);
   }
   if (const PenumbraProfile* profile = nearest_profile(input, i)) {

@@ -32,7 +32,7 @@ struct FaultInput {
 enum class Sign : uint8_t {
   plain,       // all around the truth is fully lit (too dark) or fully shadowed (too bright)
   terminator,  // normals disagree, or the receiver hides the light from itself
-  contact,     // shadowed by a blocker in contact
+  contact,     // shadowed by a blocker in contact, or no further from the light than a large bias reaches
   layered,     // several blockers on its rays, and plain
   edge,        // within a texel and a half of a true edge that is narrower than two texels
   near,        // within one width of a penumbra at least 3 px wide

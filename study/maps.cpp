@@ -14,7 +14,8 @@ size_t index_of(const PenumbraProfile& profile, const Image& image) {
 }
 
 double distance_px(size_t i, size_t j, const Image& image) {
-  const auto columns = static_cast<int64_t>(image.width), a = static_cast<int64_t>(i), b = static_cast<int64_t>(j);
+  const auto columns = static_cast<int64_t>(image.width), a = static_cast<int64_t>(i),
+             b = static_cast<int64_t>(j);
   return std::hypot(static_cast<double>(a % columns - b % columns),
                     static_cast<double>(a / columns - b / columns));
 }

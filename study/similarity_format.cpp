@@ -21,9 +21,9 @@ std::string decibels(const std::optional<double>& value) {
 }  // namespace
 
 TermLines similarity_lines(const Similarity& similarity) {
-  return {{"FLIP (lit)", fmt::format("{} LDR, {} HDR on average, at {:.3g} pixels a degree",
-                                     number(similarity.flip_mean), number(similarity.hdr_flip_mean),
-                                     similarity.pixels_per_degree)},
+  return {{"FLIP (lit)",
+           fmt::format("{} LDR, {} HDR on average, at {:.3g} pixels a degree", number(similarity.flip_mean),
+                       number(similarity.hdr_flip_mean), similarity.pixels_per_degree)},
           {"SSIM, PSNR (lit)", fmt::format("{}, {}", number(similarity.ssim), decibels(similarity.psnr_db))}};
 }
 

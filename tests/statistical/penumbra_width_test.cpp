@@ -39,7 +39,8 @@ Edge measure_edge(const Frame& frame, const LiesOn& lies_on) {
   const std::vector<uint8_t> everywhere(image.pixel_count(), 1);
   std::vector<double> widths, widths_10_90;
   for (const PenumbraProfile& profile : measure_penumbra(image, image, everywhere).profiles) {
-    const size_t i = static_cast<size_t>(profile.y) * static_cast<size_t>(image.width) + static_cast<size_t>(profile.x);
+    const size_t i =
+        static_cast<size_t>(profile.y) * static_cast<size_t>(image.width) + static_cast<size_t>(profile.x);
     if (profile.outcome != ProfileOutcome::accepted || profile.reference_width_px < kEnough_px) continue;
     if (!lies_on(image.plane("position.x")[i], image.plane("position.z")[i])) continue;
     widths.push_back(profile.reference_width_world);
@@ -74,10 +75,14 @@ TEST(PenumbraWidth, of_a_half_plane_under_a_disk_is_sqrt_3_of_its_radius) {
 // Away from its corners a plate has two straight edges; the light's sides are 0.8 and 0.4 long.
 TEST(PenumbraWidth, of_a_plate_is_the_lights_extent_across_each_edge) {
   const Frame frame = truth_of("plate");
-  expect_widths(measure_edge(frame, [](double x, double z) { return std::abs(std::abs(x) - 1.6) < 0.05 && std::abs(z) < 0.6; }),
-                0.8, 0.64);
-  expect_widths(measure_edge(frame, [](double x, double z) { return std::abs(std::abs(z) - 1.0) < 0.05 && std::abs(x) < 0.9; }),
-                0.4, 0.32);
+  expect_widths(
+      measure_edge(
+          frame, [](double x, double z) { return std::abs(std::abs(x) - 1.6) < 0.05 && std::abs(z) < 0.6; }),
+      0.8, 0.64);
+  expect_widths(
+      measure_edge(
+          frame, [](double x, double z) { return std::abs(std::abs(z) - 1.0) < 0.05 && std::abs(x) < 0.9; }),
+      0.4, 0.32);
 }
 
 }  // namespace

@@ -50,7 +50,9 @@ TEST(Similarity, IsOfVisibilityTimesTheTruthsIrradiance) {
   // By hand: the mean squared difference of sRGB values.
   double sum = 0.0;
   const std::vector<float> truth = lit_plane(reference, reference, everywhere(test));
-  const auto srgb = [](double v) { return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055; };
+  const auto srgb = [](double v) {
+    return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
+  };
   for (size_t i = 0; i < lit.size(); ++i) sum += std::pow(srgb(lit[i]) - srgb(truth[i]), 2);
   EXPECT_NEAR(*differs.psnr_db, -10.0 * std::log10(sum / static_cast<double>(lit.size())), 1e-3);
 }
