@@ -1,21 +1,26 @@
 // Milliseconds a megapixel of each metric, on one and two threads, over a synthetic 1920x1080 pair; `everything` is
-// what a score and both second opinions cost together. cpu_ms_per_megapixel is the time of all threads: what a
+// what a score with diagnosis and second opinions costs together. cpu_ms_per_megapixel is the time of all threads: what a
 // machine with other work can measure.
+#include "metrics/causes.h"
 #include "metrics/contact_hardening.h"
 #include "metrics/envelope.h"
 #include "metrics/faults.h"
 #include "metrics/flip.h"
+#include "metrics/moire.h"
 #include "metrics/parity.h"
 #include "metrics/penumbra.h"
 #include "metrics/significance.h"
 #include "metrics/similarity.h"
+#include "metrics/temporal.h"
 #include "metrics/verdict.h"
 #include "metrics/visibility_error.h"
+#include "study/similarity.h"
 
 #include <benchmark/benchmark.h>
 
 #include <oneapi/tbb/global_control.h>
 
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <ctime>
@@ -140,9 +145,52 @@ void faults(benchmark::State& state) {
   });
 }
 
+const PenumbraError& shared_penumbra() {
+  static const PenumbraError shared = measure_penumbra(pair().test, pair().reference, pair().mask);
+  return shared;
+}
+
+const Faults& shared_faults() {
+  static const Faults shared = classify_faults(
+      pair().test, pair().reference, pair().mask, shared_penumbra().profiles,
+      measure_envelope(pair().test, pair().reference, pair().mask, shared_penumbra().profiles));
+  return shared;
+}
+
+void contact_hardening(benchmark::State& state) {
+  measure(state, [](const Pair&) { return measure_contact_hardening(shared_penumbra()); });
+}
+
+void causes(benchmark::State& state) {
+  measure(state, [](const Pair& p) {
+    return measure_causes(p.test, p.reference, p.mask, shared_penumbra().profiles);
+  });
+}
+
+void moire(benchmark::State& state) {
+  measure(state, [](const Pair& p) { return measure_moire(p.test, p.reference, p.mask, shared_faults()); });
+}
+
+// Two frames of a still camera: what a step costs does not depend on how far it goes.
+void temporal(benchmark::State& state) {
+  measure(state, [](const Pair& p) {
+    const glm::dmat4 clip_from_world = {{0.1, 0, 0, 0}, {0, 0, 0, 0}, {0, 0.185, 0, 0}, {-0.96, 0.999, 0, 1}};
+    const SequenceFrame frame = {&p.test, &p.reference, p.mask, clip_from_world};
+    const std::array<SequenceFrame, 2> frames = {frame, frame};
+    benchmark::DoNotOptimize(measure_popping(frames));
+    return measure_flicker(frames);
+  });
+}
+
 void flip(benchmark::State& state) {
   measure(state, [](const Pair& p) {
     return measure_flip(p.test, p.reference, {"visibility", "visibility", "visibility"});
+  });
+}
+
+void hdr_flip(benchmark::State& state) {
+  measure(state, [](const Pair& p) {
+    return measure_hdr_flip(p.test, p.reference, {"visibility", "visibility", "visibility"});
   });
 }
 
@@ -159,9 +207,10 @@ void everything(benchmark::State& state) {
     const PenumbraError penumbra = measure_penumbra(p.test, p.reference, mask);
     benchmark::DoNotOptimize(measure_contact_hardening(penumbra));
     const Envelope envelope = measure_envelope(p.test, p.reference, mask, penumbra.profiles);
-    benchmark::DoNotOptimize(classify_faults(p.test, p.reference, mask, penumbra.profiles, envelope));
-    benchmark::DoNotOptimize(measure_flip(p.test, p.reference, {"visibility", "visibility", "visibility"}));
-    return measure_ssim(p.test, p.reference, "visibility");
+    const Faults faults = classify_faults(p.test, p.reference, mask, penumbra.profiles, envelope);
+    benchmark::DoNotOptimize(measure_moire(p.test, p.reference, mask, faults));
+    benchmark::DoNotOptimize(measure_causes(p.test, p.reference, mask, penumbra.profiles));
+    return measure_similarity(p.test, p.reference, mask);
   });
 }
 
@@ -174,7 +223,12 @@ UMBRAMETER_BENCH(verdict);
 UMBRAMETER_BENCH(penumbra);
 UMBRAMETER_BENCH(envelope);
 UMBRAMETER_BENCH(faults);
+UMBRAMETER_BENCH(contact_hardening);
+UMBRAMETER_BENCH(causes);
+UMBRAMETER_BENCH(moire);
+UMBRAMETER_BENCH(temporal);
 UMBRAMETER_BENCH(flip);
+UMBRAMETER_BENCH(hdr_flip);
 UMBRAMETER_BENCH(ssim);
 UMBRAMETER_BENCH(everything);
 

@@ -20,13 +20,18 @@ struct SelftestOptions {
   std::vector<std::string> scenes;
   int width_px = SelftestSettings{}.width_px;
   int height_px = SelftestSettings{}.height_px;
+  bool benign_only = false;
+  bool with_assets = false;
 };
 
-/// Scenes that need no assets.
-std::vector<std::string> built_in_scenes(const SceneSearch& search) {
+/// Scenes that need no assets; with `with_assets` also those whose assets are there.
+std::vector<std::string> library_scenes(const SceneSearch& search, bool with_assets) {
   std::vector<std::string> names;
   for (const SceneEntry& entry : list_scenes(search)) {
-    if (entry.name.find('/') == std::string::npos) names.push_back(entry.name);
+    if (with_assets && !entry.missing_assets.empty())
+      print_note(entry.name + " is left out: its models are not there (set UMBRAMETER_ASSETS)");
+    else if (with_assets || !entry.needs_assets)
+      names.push_back(entry.name);
   }
   return names;
 }
@@ -41,7 +46,8 @@ int selftest(const SelftestOptions& options, const GlobalOptions& global) {
   const Home home = find_home();
   const SceneSearch search = scene_search(global, home);
   std::vector<SceneJob> jobs;
-  for (const std::string& name : options.scenes.empty() ? built_in_scenes(search) : options.scenes) {
+  for (const std::string& name :
+       options.scenes.empty() ? library_scenes(search, options.with_assets) : options.scenes) {
     jobs.push_back(load_scene_job(name, search));
   }
   const Staging staging(std::filesystem::temp_directory_path());
@@ -51,6 +57,7 @@ int selftest(const SelftestOptions& options, const GlobalOptions& global) {
   SelftestSettings settings;
   settings.width_px = options.width_px;
   settings.height_px = options.height_px;
+  settings.benign_only = options.benign_only;
   settings.techniques_folder = home.techniques;
   settings.shaders_folder = home.shaders;
   settings.scratch_folder = staging.folder();
@@ -73,6 +80,8 @@ void add_selftest(CLI::App& app, CommandLine& line) {
   verb->fallthrough();
   verb->add_option("--scene", options->scenes, "only this scene and its faults; repeatable")
       ->allow_extra_args(false);
+  verb->add_flag("--benign", options->benign_only, "only the changes that are no faults");
+  verb->add_flag("--assets-too", options->with_assets, "also the scenes of real models");
   verb->add_option("--width", options->width_px,
                    "of the pictures in px; what is given as right was seen at 320 x 180")
       ->check(CLI::Range(64, 4096));

@@ -11,9 +11,22 @@ std::string to_string(const FileLocation& where) {
 
 namespace {
 
+// Names out of files and compilers' logs may hold anything; a message is one line that no terminal obeys.
+std::string one_line(std::string_view text) {
+  std::string line;
+  for (const char c : text.substr(0, text.find_last_not_of('\n') + 1)) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '\n')
+      line += "; ";
+    else
+      line += byte < 0x20 || byte == 0x7f ? fmt::format("\\x{:02x}", byte) : std::string(1, c);
+  }
+  return line;
+}
+
 std::string sentence(const std::string& message, const FileLocation& where, const std::string& hint) {
   const std::string place = to_string(where);
-  return (place.empty() ? "" : place + ": ") + message + (hint.empty() ? "" : " (" + hint + ")");
+  return one_line((place.empty() ? "" : place + ": ") + message + (hint.empty() ? "" : " (" + hint + ")"));
 }
 
 }  // namespace

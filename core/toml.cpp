@@ -38,11 +38,12 @@ TomlNode convert(const toml::node& node, const std::string& file) {
     for (const toml::node& item : *array) result.items.push_back(convert(item, file));
   } else if (const auto* table = node.as_table()) {
     result.type = TomlNode::Type::table;
-    for (const auto& [key, value] : *table) result.entries.emplace_back(key.str(), convert(value, file));
+    for (const auto& [key, value] : *table)
+      result.entries.push_back({std::string(key.str()), convert(value, file)});
     // toml++ sorts keys; the file's order is what presets and docs want.
     std::ranges::stable_sort(result.entries, [](const auto& a, const auto& b) {
-      return std::pair(a.second.where.line, a.second.where.column) <
-             std::pair(b.second.where.line, b.second.where.column);
+      return std::pair(a.value.where.line, a.value.where.column) <
+             std::pair(b.value.where.line, b.value.where.column);
     });
   } else {
     fail_input("dates and times are not used here", result.where);
@@ -50,9 +51,47 @@ TomlNode convert(const toml::node& node, const std::string& file) {
   return result;
 }
 
+/// The end of the string that opens at `i`, one past its quotes; the document's without one.
+size_t skip_string(std::string_view document, size_t i) {
+  const char quote = document[i];
+  const std::string triple(3, quote);
+  const bool is_long = document.substr(i, 3) == triple;
+  for (size_t k = i + (is_long ? 3 : 1); k < document.size(); ++k) {
+    if (quote == '"' && document[k] == '\\') {
+      ++k;
+      continue;
+    }
+    if (is_long ? document.substr(k, 3) == triple : document[k] == quote) return k + (is_long ? 3 : 1);
+    if (!is_long && document[k] == '\n') return k;
+  }
+  return document.size();
+}
+
+// TOML has other letters in strings and comments only. Elsewhere toml++ 3.3 runs into code that it calls unreachable.
+void check_plain_ascii(std::string_view document, const std::string& file) {
+  for (size_t i = document.starts_with("\xEF\xBB\xBF") ? 3 : 0; i < document.size();) {
+    const char c = document[i];
+    if (c == '"' || c == '\'') {
+      i = skip_string(document, i);
+    } else if (c == '#') {
+      i = std::min(document.find('\n', i), document.size());
+    } else if (static_cast<unsigned char>(c) < 0x80) {
+      ++i;
+    } else {
+      const std::string_view before = document.substr(0, i);
+      const size_t start_of_line = before.rfind('\n') + 1;  // npos + 1 = 0
+      fail_input("a letter outside ASCII that stands in no string",
+                 {file, static_cast<int>(std::ranges::count(before, '\n')) + 1,
+                  static_cast<int>(i - start_of_line) + 1},
+                 "put it in quotes");
+    }
+  }
+}
+
 }  // namespace
 
 TomlNode parse_toml(std::string_view document, const std::string& file) {
+  check_plain_ascii(document, file);
   try {
     return convert(toml::parse(document), file);
   } catch (const toml::parse_error& error) {

@@ -19,6 +19,8 @@
 
 namespace umbrameter {
 
+struct TomlEntry;
+
 /// One TOML value. Arrays use `items`, tables use `entries` in file order.
 struct TomlNode {
   enum class Type { boolean, integer, real, text, array, table };
@@ -28,8 +30,13 @@ struct TomlNode {
   double real = 0.0;  // also set for integers
   std::string text;
   std::vector<TomlNode> items;
-  std::vector<std::pair<std::string, TomlNode>> entries;
+  std::vector<TomlEntry> entries;
   FileLocation where;
+};
+
+struct TomlEntry {
+  std::string name;
+  TomlNode value;
 };
 
 /// Parses a document; Error{input} with line and column on a syntax error.

@@ -122,7 +122,7 @@ bool SelftestResults::passes(const SelftestTargets& targets) const {
   const bool masks_pass = std::ranges::all_of(masks_over_scenes(), [&](const MaskOutcome& mask) {
     return mask.precision().value_or(0.0) >= targets.mask && mask.recall().value_or(0.0) >= targets.mask;
   });
-  return !faults.empty() && found() == faults.size() && false_alarms() == 0 && masks_pass &&
+  return !benign.empty() && found() == faults.size() && false_alarms() == 0 && masks_pass &&
          static_cast<double>(right()) >= targets.right * static_cast<double>(faults.size());
 }
 
@@ -141,12 +141,12 @@ SelftestResults run_selftest(std::span<const SceneJob> jobs, const SelftestSetti
       results.benign.push_back(
           {variant.name, job.name, judge_and_keep(variant.name, variant.make(stage), stage)});
     }
-    for (const MaskCase& mask : masks) {
+    for (const MaskCase& mask : settings.benign_only ? std::vector<MaskCase>() : masks) {
       if (const auto outcome = count_mask(mask, stage)) results.masks.push_back(*outcome);
     }
     for (size_t k = 0; k < faults.size(); ++k) {
       const FaultCase& fault = faults[k];
-      if (fault.scene != job.name) continue;
+      if (fault.scene != job.name || settings.benign_only) continue;
       outcomes[k] = {fault.name, fault.scene, fault.origin, fault.right,
                      judge_and_keep(fault.name, fault.make(stage), stage)};
     }

@@ -31,6 +31,22 @@ TEST(Toml, MalformedHeadersAreErrorsInEveryBuild) {
   }
 }
 
+TEST(Toml, OtherLettersBelongInStringsAndComments) {
+  const TomlNode document =
+      parse_toml("a = \"\xC9\x93 \\\" \xC9\x93\" # \xC9\x93\nb = '''\n\xC9\x93'''", "a.toml");
+  EXPECT_EQ(document.entries[0].value.text, "\xC9\x93 \" \xC9\x93");
+  EXPECT_THAT([] { parse_toml("a = 1\n  \xC9\x93 = 1", "a.toml"); },
+              ::testing::ThrowsMessage<Error>(::testing::HasSubstr("a.toml:2:3: a letter outside ASCII")));
+  EXPECT_THROW(parse_toml("a = \xC9\x93", "a.toml"), Error);
+}
+
+TEST(Toml, MessagesAreOneLine) {
+  EXPECT_THAT([] { parse_toml("a = [0, f\n]", "a.toml"); },
+              ::testing::ThrowsMessage<Error>(::testing::Not(::testing::HasSubstr("\n"))));
+  EXPECT_THAT([] { fail_input("unknown 'a\nb\x1b[2J'\n\n"); },
+              ::testing::ThrowsMessage<Error>(::testing::StrEq("unknown 'a; b\\x1b[2J'")));
+}
+
 TEST(Toml, UnknownKeyNamesPlaceAndNearestKey) {
   const TomlNode table = parse_toml("radius_world = 1.0\nradius_wrold = 2.0\n", "x.toml");
   TomlReader reader(table, "[light]");
@@ -58,7 +74,7 @@ TEST(Toml, WrongTypeAndNonFiniteNumbersAreErrors) {
 
 TEST(Toml, IntegersServeAsNumbersAndTablesKeepTheFilesOrder) {
   const TomlNode document = parse_toml("z = 2\na = 1\n[[m]]\nk = 1\n[[m]]\nk = 2\n", "x.toml");
-  EXPECT_EQ(document.entries[0].first, "z");
+  EXPECT_EQ(document.entries[0].name, "z");
   TomlReader reader(document, "document");
   EXPECT_EQ(reader.number("z"), 2.0);
   EXPECT_EQ(reader.tables("m").size(), 2u);

@@ -1,0 +1,40 @@
+// Pictures of other engines: any bytes are visibility with a score, or a sentence.
+
+#include "fuzz/fuzz_file.h"
+
+#include "core/image_io.h"
+#include "study/engine_image.h"
+#include "study/score.h"
+
+namespace {
+
+using namespace umbrameter;
+
+/// A reference for whatever size came.
+Image floor_of(int width, int height) {
+  Image image(width, height);
+  for (const char* zero : {"position.x", "position.y", "position.z", "normal.x", "normal.z", "shading_normal.x",
+                           "shading_normal.z", "primitive_id", "visibility_se", "blocker_distance_min", "blocker_layers"})
+    image.add_plane(zero);
+  for (const char* one : {"normal.y", "shading_normal.y", "unshadowed_irradiance", "visibility", "half_a", "half_b"})
+    image.add_plane(one, 1.0f);
+  image.add_plane("sample_count", 64.0f);
+  for (size_t i = 0; i < image.pixel_count(); ++i) {
+    image.plane("position.x")[i] = static_cast<float>(i % static_cast<size_t>(width));
+    image.plane("position.z")[i] = static_cast<float>(i / static_cast<size_t>(width));
+  }
+  return image;
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  const std::filesystem::path path = fuzz::write("fuzz.exr", {data, size});
+  fuzz::expect_answer_or_sentence([&] {
+    const Image image = read_image(path);
+    if (image.pixel_count() > 4096) return;
+    visibility_of(decode_engine_image(image, path.string(), ""));
+    score_image(with_visibility(image, path.string()), floor_of(image.width, image.height), {0.0, 9.0, 0.0});
+  });
+  return 0;
+}
