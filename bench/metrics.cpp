@@ -130,24 +130,23 @@ void penumbra(benchmark::State& state) {
   measure(state, [](const Pair& p) { return measure_penumbra(p.test, p.reference, p.mask); });
 }
 
-void envelope(benchmark::State& state) {
-  static const PenumbraError penumbra = measure_penumbra(pair().test, pair().reference, pair().mask);
-  measure(state,
-          [](const Pair& p) { return measure_envelope(p.test, p.reference, p.mask, penumbra.profiles); });
-}
-
-void faults(benchmark::State& state) {
-  static const PenumbraError penumbra = measure_penumbra(pair().test, pair().reference, pair().mask);
-  static const Envelope envelope =
-      measure_envelope(pair().test, pair().reference, pair().mask, penumbra.profiles);
-  measure(state, [](const Pair& p) {
-    return classify_faults(p.test, p.reference, p.mask, penumbra.profiles, envelope);
-  });
-}
-
 const PenumbraError& shared_penumbra() {
   static const PenumbraError shared = measure_penumbra(pair().test, pair().reference, pair().mask);
   return shared;
+}
+
+void envelope(benchmark::State& state) {
+  measure(state, [](const Pair& p) {
+    return measure_envelope(p.test, p.reference, p.mask, shared_penumbra().profiles);
+  });
+}
+
+void faults(benchmark::State& state) {
+  static const Envelope envelope =
+      measure_envelope(pair().test, pair().reference, pair().mask, shared_penumbra().profiles);
+  measure(state, [](const Pair& p) {
+    return classify_faults(p.test, p.reference, p.mask, shared_penumbra().profiles, envelope);
+  });
 }
 
 const Faults& shared_faults() {

@@ -42,7 +42,8 @@ void expect_answer_or_sentence(const Body& body) {
     body();
   } catch (const Error& error) {
     const std::string text = error.what();
-    if (error.kind() != ErrorKind::input || text.empty() || text.find('\n') != std::string::npos) std::abort();
+    if (error.kind() != ErrorKind::input || text.empty() || text.find('\n') != std::string::npos)
+      std::abort();
   }
 }
 

@@ -13,10 +13,12 @@ using namespace umbrameter;
 /// A reference for whatever size came.
 Image floor_of(int width, int height) {
   Image image(width, height);
-  for (const char* zero : {"position.x", "position.y", "position.z", "normal.x", "normal.z", "shading_normal.x",
-                           "shading_normal.z", "primitive_id", "visibility_se", "blocker_distance_min", "blocker_layers"})
+  for (const char* zero :
+       {"position.x", "position.y", "position.z", "normal.x", "normal.z", "shading_normal.x",
+        "shading_normal.z", "primitive_id", "visibility_se", "blocker_distance_min", "blocker_layers"})
     image.add_plane(zero);
-  for (const char* one : {"normal.y", "shading_normal.y", "unshadowed_irradiance", "visibility", "half_a", "half_b"})
+  for (const char* one :
+       {"normal.y", "shading_normal.y", "unshadowed_irradiance", "visibility", "half_a", "half_b"})
     image.add_plane(one, 1.0f);
   image.add_plane("sample_count", 64.0f);
   for (size_t i = 0; i < image.pixel_count(); ++i) {
