@@ -77,6 +77,7 @@ std::string SceneContext::relative(const std::string& file) const {
 
 void summarise_errors(const Image& image, ReferenceResult& result) {
   const auto visibility = image.plane("visibility");
+  const auto irradiance = image.plane("unshadowed_irradiance");
   const auto se = image.plane("visibility_se");
   const auto samples = image.plane("sample_count");
   const auto primitive = image.plane("primitive_id");
@@ -87,7 +88,8 @@ void summarise_errors(const Image& image, ReferenceResult& result) {
     result.mean_visibility_se += static_cast<double>(se[i]);
     result.mean_sample_count += static_cast<double>(samples[i]);
     result.max_visibility_se = std::max(result.max_visibility_se, static_cast<double>(se[i]));
-    if (samples[i] > 0.0f) continue;  // none where visibility is proven (reference/reference.h)
+    // None where visibility is proven (reference/reference.h), and none where the light cannot be anyway.
+    if (samples[i] > 0.0f || irradiance[i] <= 0.0f) continue;
     (visibility[i] > 0.0f ? result.proven_lit_share : result.proven_dark_share) += 1.0;
   }
   if (covered == 0.0) return;
