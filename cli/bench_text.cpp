@@ -2,6 +2,7 @@
 
 #include "cli/console.h"
 #include "study/format.h"
+#include "study/recommend.h"
 
 #include <fmt/format.h>
 
@@ -110,6 +111,18 @@ std::string answers(const BenchResults& results, const BenchQueries& queries) {
   return text.empty() ? text : "\n" + text;
 }
 
+std::string recommendations(const BenchResults& results) {
+  std::string text;
+  for (const BenchScene& scene : results.scenes) {
+    if (const auto best = recommended(scene.entries)) text += answer_line("recommended", {*best}, scene);
+  }
+  const auto overall = recommended_overall(results.scenes);
+  if (overall && results.scenes.size() > 1)
+    text += fmt::format("over {} scenes, recommended: {} (time x RMSE is {:.3g} times each scene's least)\n",
+                        overall->scenes, overall->label, overall->cost);
+  return text.empty() ? text : "\n" + text;
+}
+
 std::string notes(const BenchResults& results) {
   std::string text;
   for (const BenchScene& scene : results.scenes) {
@@ -153,7 +166,7 @@ std::string bench_text(const BenchResults& results, const BenchQueries& queries,
       fmt::format("{}\n{} x {} px, {} samples a pixel, frames in turn\n{}\n{}", title, plan.width_px,
                   plan.height_px, plan.samples_per_pixel, devices(results), run_table(results));
   if (with_passes) text += "\n" + pass_table(results);
-  return text + claim_table(results) + answers(results, queries) + notes(results);
+  return text + claim_table(results) + answers(results, queries) + recommendations(results) + notes(results);
 }
 
 }  // namespace umbrameter

@@ -33,6 +33,10 @@ void print_error(std::string_view sentence) {
 void print_warning(std::string_view sentence) {
   fmt::print(stderr, "umbrameter: warning: {}\n", one_line(sentence));
 }
+void print_warnings(const std::vector<std::string>& sentences) {
+  for (const std::string& sentence : sentences) print_warning(sentence);
+}
+
 void print_note(std::string_view sentence) {
   fmt::print(stderr, "umbrameter: {}\n", one_line(sentence));
 }

@@ -15,6 +15,7 @@ namespace umbrameter {
 void print_error(std::string_view sentence);
 /// "umbrameter: warning: <sentence>" on stderr.
 void print_warning(std::string_view sentence);
+void print_warnings(const std::vector<std::string>& sentences);
 /// "umbrameter: <sentence>" on stderr.
 void print_note(std::string_view sentence);
 

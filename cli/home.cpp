@@ -84,12 +84,16 @@ SceneSearch scene_search(const GlobalOptions& options, const Home& home) {
   return {options.assets, home.library};
 }
 
-SceneJob load_scene_job(const std::string& name_or_path, const SceneSearch& search) {
-  const std::filesystem::path file = resolve_scene(name_or_path, search);
+std::string scene_name(const std::filesystem::path& file, const SceneSearch& search) {
   const auto inside = file.lexically_relative(search.library);
   const bool is_library_scene = !inside.empty() && *inside.begin() != "..";
   std::filesystem::path name = is_library_scene ? inside : file.filename();
-  return {name.replace_extension().generic_string(), load_scene(file, search)};
+  return name.replace_extension().generic_string();
+}
+
+SceneJob load_scene_job(const std::string& name_or_path, const SceneSearch& search) {
+  const std::filesystem::path file = resolve_scene(name_or_path, search);
+  return {scene_name(file, search), load_scene(file, search)};
 }
 
 TechniqueRun choose_technique(const std::string& text, const std::vector<std::string>& assignments,

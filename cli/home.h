@@ -27,7 +27,10 @@ Home find_home();
 /// The library and the assets folder; Error{input} when the assets folder does not exist.
 SceneSearch scene_search(const GlobalOptions& options, const Home& home);
 
-/// A scene of the library by name, or a scene file; named by its library name or file stem.
+/// The library name, or the stem, of a scene file.
+std::string scene_name(const std::filesystem::path& file, const SceneSearch& search);
+
+/// A scene of the library by name, or a scene file, under its scene_name().
 SceneJob load_scene_job(const std::string& name_or_path, const SceneSearch& search);
 
 /// "ID[:name=value,...]" (ID may be a folder) plus further "name=value" texts. `preset=NAME` chooses a

@@ -68,7 +68,7 @@ int export_store(const ExportOptions& options, const GlobalOptions& global) {
 }  // namespace
 
 void print_warnings(Store& store) {
-  for (const std::string& warning : store.take_warnings()) print_warning(warning);
+  print_warnings(store.take_warnings());
 }
 
 void add_merge(CLI::App& app, CommandLine& line) {

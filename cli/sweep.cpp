@@ -22,6 +22,7 @@ struct SweepOptions {
   std::string shard = "1/1";
   std::string metrics;
   bool no_reuse = false;
+  bool screen = false;
   QualityOptions quality;
 };
 
@@ -60,10 +61,15 @@ int plan(const SweepOptions& options, const GlobalOptions& global) {
     store = std::make_unique<Store>(global.out, Database::Mode::read);
   const std::vector<PlanStep> steps = plan_sweep(loaded.plan, loaded.scenes, store.get());
   if (store) print_warnings(*store);
+  std::vector<IdleParameter> idle;
+  if (options.screen) idle = screen_parameters(loaded.plan, loaded.scenes, steps, *loaded.realtime, progress);
   if (global.json) {
-    print_json(plan_json(loaded.plan, loaded.scenes, steps));
+    nlohmann::ordered_json json = plan_json(loaded.plan, loaded.scenes, steps);
+    if (options.screen) json["idle_parameters"] = idle_json(idle, loaded.scenes);
+    print_json(json);
   } else {
-    print_answer(plan_text(loaded.plan, loaded.scenes, steps));
+    print_answer(plan_text(loaded.plan, loaded.scenes, steps) +
+                 (options.screen ? idle_text(idle, loaded.scenes) : ""));
   }
   return kExitFine;
 }
@@ -117,6 +123,7 @@ void add_plan(CLI::App& app, CommandLine& line) {
   CLI::App* verb = add_study_verb(
       app, "plan", "say what a sweep into --out would render, reuse and skip, why, and how long it takes",
       *options);
+  verb->add_flag("--screen", options->screen, "also name parameters that change no pixel of small pictures");
   verb->callback([options, &line] { line.verb = [options, &line] { return plan(*options, line.global); }; });
 }
 

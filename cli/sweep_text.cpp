@@ -124,6 +124,27 @@ Json plan_json(const SweepPlan& plan, std::span<const SceneJob> scenes, std::spa
   return json;
 }
 
+std::string idle_text(std::span<const IdleParameter> idle, std::span<const SceneJob> scenes) {
+  if (idle.empty()) return "\nevery parameter that the study varies changes a small picture\n";
+  std::vector<std::vector<std::string>> rows;
+  for (const IdleParameter& one : idle)
+    rows.push_back({scenes[one.scene].name, one.technique, one.parameter, run_count(one.runs),
+                    duration_text(one.saved_s)});
+  return fmt::format("\nno pixel of {} x {} changes with\n", kScreenWidth_px, kScreenHeight_px) +
+         format_table({"scene", "technique", "parameter", "varied by", "which cost"}, rows);
+}
+
+Json idle_json(std::span<const IdleParameter> idle, std::span<const SceneJob> scenes) {
+  Json list = Json::array();
+  for (const IdleParameter& one : idle)
+    list.push_back({{"scene", scenes[one.scene].name},
+                    {"technique", one.technique},
+                    {"parameter", one.parameter},
+                    {"runs", one.runs},
+                    {"saved_s", one.saved_s}});
+  return list;
+}
+
 std::string outcome_text(const SweepOutcome& outcome) {
   std::string text =
       fmt::format("{} and {} rendered, {} reused, {} skipped", run_count(outcome.rendered),

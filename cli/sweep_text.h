@@ -2,6 +2,7 @@
 // A sweep's plan and outcome, and what a store holds, as text and JSON.
 
 #include "study/sweep/export.h"
+#include "study/sweep/screen.h"
 #include "study/sweep/sweep.h"
 
 #include <nlohmann/json_fwd.hpp>
@@ -16,6 +17,9 @@ std::string plan_text(const SweepPlan& plan, std::span<const SceneJob> scenes,
                       std::span<const PlanStep> steps);
 nlohmann::ordered_json plan_json(const SweepPlan& plan, std::span<const SceneJob> scenes,
                                  std::span<const PlanStep> steps);
+
+std::string idle_text(std::span<const IdleParameter> idle, std::span<const SceneJob> scenes);
+nlohmann::ordered_json idle_json(std::span<const IdleParameter> idle, std::span<const SceneJob> scenes);
 
 std::string outcome_text(const SweepOutcome& outcome);
 nlohmann::ordered_json outcome_json(const SweepOutcome& outcome);

@@ -1,8 +1,12 @@
 #include "cli/console.h"
 #include "cli/home.h"
+#include "cli/interruption.h"
+#include "cli/late_realtime.h"
+#include "cli/page_memory.h"
 #include "cli/preset_file.h"
 #include "cli/progress_bar.h"
 #include "cli/quality.h"
+#include "cli/scene_memory.h"
 #include "cli/staging.h"
 #include "cli/validation_text.h"
 #include "core/error.h"
@@ -12,6 +16,7 @@
 #include "report/report.h"
 #include "study/metadata.h"
 #include "study/results_json.h"
+#include "study/validation_memory.h"
 
 #include <fmt/format.h>
 
@@ -33,21 +38,24 @@ struct ValidateOptions {
   std::optional<double> limit_rmse;
   bool temporal = false;
   bool maps = false;
+  bool no_reuse = false;
+  bool no_skip = false;
 };
 
 constexpr int kTemporalFrames = 4;  // of each sequence: three steps show a change, and cost three references
 
 struct Workload {
-  std::vector<SceneJob> scenes;
+  std::vector<std::string> names;  // as given
+  std::vector<SceneSource> scenes;
   std::vector<Skip> skipped;
 };
 
 /// Two scene files of one stem get different names, also as folders.
-void make_unique(std::string& name, const std::vector<SceneJob>& taken) {
+void make_unique(std::string& name, const std::vector<SceneSource>& taken) {
   const std::string stem = name;
   const auto is_taken = [&](const std::string& candidate) {
-    return std::any_of(taken.begin(), taken.end(), [&](const SceneJob& job) {
-      return file_name_of(job.name) == file_name_of(candidate);
+    return std::any_of(taken.begin(), taken.end(), [&](const SceneSource& source) {
+      return file_name_of(source.description.name) == file_name_of(candidate);
     });
   };
   for (int number = 2; is_taken(name); ++number) name = fmt::format("{}-{}", stem, number);
@@ -75,15 +83,16 @@ std::vector<std::string> library_scenes(const SceneSearch& search, std::vector<S
   return names;
 }
 
-/// Every scene is loaded before anything is rendered, so that a bad one costs no time.
-Workload load_scenes(const std::vector<std::string>& given, const SceneSearch& search, Progress& progress) {
+/// Every scene that is not known is loaded before anything is rendered, so that a bad one costs no time.
+Workload open_scenes(const std::vector<std::string>& given, const SceneSearch& search, LateStore& store,
+                     Progress& progress) {
   Workload work;
-  const std::vector<std::string> names = given.empty() ? library_scenes(search, work.skipped) : given;
-  progress.begin("loading scenes", names.size());
-  for (const std::string& name : names) {
-    SceneJob job = load_scene_job(name, search);
-    make_unique(job.name, work.scenes);
-    work.scenes.push_back(std::move(job));
+  work.names = given.empty() ? library_scenes(search, work.skipped) : given;
+  progress.begin("loading scenes", work.names.size());
+  for (const std::string& name : work.names) {
+    SceneSource source = open_scene(store, name, search);
+    make_unique(source.description.name, work.scenes);
+    work.scenes.push_back(std::move(source));
     progress.advance(1);
   }
   progress.end();
@@ -131,6 +140,7 @@ ValidationPlan make_plan(const Quality& quality, std::vector<TechniqueRun> techn
   plan.baseline = options.baseline;
   plan.limit_rmse = options.limit_rmse;
   plan.maps = options.maps;
+  plan.skip = !options.no_skip;
   return plan;
 }
 
@@ -144,13 +154,25 @@ void check_output(const std::filesystem::path& out) {
              "choose another --out");
 }
 
-void publish(const std::filesystem::path& staged, const std::filesystem::path& out) {
-  for (const std::string name : {"images", "report-data"}) {
-    if (std::filesystem::exists(out / name)) rename_into_place(out / name, staged / ("old-" + name));
+/// Each in its place, the folders instead of the old ones.
+void publish(const std::filesystem::path& staged, const std::filesystem::path& out,
+             const std::vector<std::string>& names) {
+  for (const std::string& name : names) {
+    if (std::filesystem::is_directory(out / name)) rename_into_place(out / name, staged / ("old-" + name));
   }
-  for (const char* name : {"images", "results.json", "report-data", "report.html"}) {
+  for (const std::string& name : names) {
     if (std::filesystem::exists(staged / name)) rename_into_place(staged / name, out / name);
   }
+}
+
+/// Images always: nobody else may have touched them. Numbers and page only when they are not there already.
+void publish_results(const std::filesystem::path& staged, const std::filesystem::path& out,
+                     const std::string& json, LateStore& store) {
+  if (is_page_current(store, out, json)) return publish(staged, out, {"images"});
+  write_file_atomically(staged / "results.json", json);
+  write_report(staged, staged / "report.html");
+  publish(staged, out, {"images", "results.json", "report-data", "report.html"});
+  if (store.exists()) remember_page(store, out, json);
 }
 
 int verdict(const Results& results) {
@@ -180,24 +202,39 @@ int validate(const ValidateOptions& options, const GlobalOptions& global) {
   const std::filesystem::path out = global.out.empty() ? "out" : global.out;
   check_output(out);
   const Staging staging(out);
-  const auto realtime = open_realtime_renderer(global, home);
-  const auto reference =
-      make_reference_renderer({quality.samples_per_pixel, quality.target_se, global.threads});
+  LateStore store(out);
+  LateRealtime realtime(store, global, home);
+  LateRenderer reference([&] {
+    return make_reference_renderer({.samples_per_pixel = quality.samples_per_pixel,
+                                    .target_se = quality.target_se,
+                                    .threads = global.threads,
+                                    .skip_proven = !options.no_skip});
+  });
+  const Makers makers{"Embree " UMBRAMETER_EMBREE_VERSION, realtime.identity(), hash_folder(home.shaders)};
+  ValidationMemory memory(store, makers, !options.no_reuse);
   ProgressBar progress;
-  Workload work = load_scenes(options.scenes, search, progress);
+  Workload work = open_scenes(options.scenes, search, store, progress);
+  print_warnings(store.take_warnings());
   if (work.scenes.empty()) fail_input("no scene is left to validate");
-  Results results = run_validation(work.scenes, plan, {*reference, *realtime}, staging.folder(), progress,
-                                   [&](const SceneResult& scene) {
-                                     progress.clear();
-                                     print_note(scene_line(scene));
-                                   });
+  Results results = run_validation(
+      work.scenes, plan, {reference, realtime.renderer()}, staging.folder(), progress,
+      [&](const SceneResult& scene) {
+        progress.clear();
+        print_warnings(store.take_warnings());
+        print_note(scene_line(scene));
+        if (store.exists())
+          set_interruption_note("interrupted; finished scenes are stored, go on with the same command");
+      },
+      &memory);
   results.skipped.insert(results.skipped.begin(), work.skipped.begin(), work.skipped.end());
   const int code = verdict(results);
   if (!has_any_result(results)) return code;  // nothing worth replacing an earlier result with
-  write_file_atomically(staging.folder() / "results.json", to_json_text(results));
-  write_report(staging.folder(), staging.folder() / "report.html");
-  publish(staging.folder(), out);
-  print_answer(global.json ? to_json_text(results) : validation_text(results));
+  if (store.exists()) realtime.remember();
+  for (size_t i = 0; store.exists() && i < work.names.size(); ++i)
+    remember_scene(store, work.names[i], search, work.scenes[i]);
+  publish_results(staging.folder(), out, to_json_text(results), store);
+  print_answer(global.json ? to_json_text_with_work(results) : validation_text(results));
+  print_note(work_line(results.work));
   print_note(fmt::format("wrote {}", (out / "report.html").string()));
   return code;
 }
@@ -230,6 +267,9 @@ void add_validate(CLI::App& app, CommandLine& line) {
       ->check(CLI::Range(0, 10000));
   verb->add_flag("--temporal", options->temporal,
                  "also measure flicker under a moving camera and light, and the noise of seeds");
+  verb->add_flag("--no-reuse", options->no_reuse, "render and score again what the store in --out knows");
+  verb->add_flag("--no-skip", options->no_skip,
+                 "do what the scenes do not need, too; the numbers are the same");
   verb->callback(
       [options, &line] { line.verb = [options, &line] { return validate(*options, line.global); }; });
 }

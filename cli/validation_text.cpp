@@ -5,9 +5,10 @@
 #include "study/format.h"
 #include "study/judgement_format.h"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
 
 namespace umbrameter {
 namespace {
@@ -20,7 +21,8 @@ std::string verdict_cell(const SceneResult& scene, const TechniqueResult& run) {
 }
 
 std::vector<std::string> row(const SceneResult& scene, const TechniqueResult& run) {
-  const std::string time = format_time(total_time(run.pass_times));
+  std::string time = format_time(total_time(run.pass_times));
+  if (run.is_reused && total_time(run.pass_times)) time += " stored";
   const std::string memory = run.memory_bytes > 0 ? format_bytes(run.memory_bytes) : kNotApplicable;
   if (!run.error) {
     const char* reason = run.failure ? "failed" : scene.parity ? "void" : "not compared";
@@ -50,6 +52,20 @@ std::string table(const Results& results) {
                       rows);
 }
 
+/// Scenes where a run leaves out the same share a line.
+std::string left_out_list(const Results& results) {
+  std::map<std::string, size_t> scenes;
+  for (const SceneResult& scene : results.scenes) {
+    for (const TechniqueResult& run : scene.techniques) {
+      if (!run.left_out.empty()) ++scenes[fmt::format("{}: {}", run.label, fmt::join(run.left_out, ", "))];
+    }
+  }
+  std::string text;
+  for (const auto& [part, count] : scenes)
+    text += fmt::format("not needed in {} of {} scenes, {}\n", count, results.scenes.size(), part);
+  return text;
+}
+
 std::string scene_lists(const Results& results) {
   std::string text;
   for (const SceneResult& scene : results.scenes) {
@@ -68,10 +84,11 @@ std::string scene_lists(const Results& results) {
     }
   }
   for (const Skip& skip : results.skipped) {
-    text += fmt::format("skipped {}{}{}: {}\n", skip.scene, skip.technique.empty() ? "" : ", ",
-                        skip.technique, skip.reason);
+    const std::string saved = skip.saved_s ? fmt::format(" (saves about {:.2g} s)", *skip.saved_s) : "";
+    text += fmt::format("skipped {}{}{}: {}{}\n", skip.scene, skip.technique.empty() ? "" : ", ",
+                        skip.technique, skip.reason, saved);
   }
-  return text;
+  return text + left_out_list(results);
 }
 
 }  // namespace
@@ -80,6 +97,11 @@ std::string scene_line(const SceneResult& scene) {
   if (scene.failure) return fmt::format("{}: failed", scene.name);
   const std::string parity = scene.parity ? format_share(scene.parity->agreement) : kNotApplicable;
   return fmt::format("{}: done, parity {}", scene.name, parity);
+}
+
+std::string work_line(const WorkDone& work) {
+  return fmt::format("{} runs and {} truths rendered; {} runs and {} truths reused", work.rendered,
+                     work.references_rendered, work.reused, work.references_reused);
 }
 
 std::string validation_text(const Results& results) {

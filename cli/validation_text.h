@@ -10,6 +10,9 @@ namespace umbrameter {
 /// One line when a scene is done.
 std::string scene_line(const SceneResult& scene);
 
+/// What was rendered and what was reused.
+std::string work_line(const WorkDone& work);
+
 /// The context, a table of scene x technique, parity, warnings and what was skipped.
 std::string validation_text(const Results& results);
 

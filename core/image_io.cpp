@@ -96,7 +96,8 @@ void write_exr(const std::filesystem::path& path, const Image& image) {
   if (!problem.empty()) {
     std::error_code ignored;
     std::filesystem::remove(temporary, ignored);
-    fail_input(fmt::format("cannot be written: {}", problem), {path.string()});
+    fail_input(fmt::format("cannot be written: {}", problem), {path.string()},
+               "does the folder exist, and is there room and permission?");
   }
   rename_into_place(temporary, path);
 }

@@ -38,6 +38,7 @@ struct Frame {
   uint64_t memory_bytes = 0;
   double wall_time_s = 0.0;
   std::vector<std::string> warnings;
+  std::vector<std::string> left_out;  // passes and textures that these parameters do not need
 };
 
 /// A request kept ready to be drawn again, so that the frames of several can be timed in turn.

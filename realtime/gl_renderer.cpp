@@ -5,6 +5,7 @@
 #include "realtime/device_identity.h"
 #include "realtime/executor/check_visibility.h"
 #include "realtime/executor/execute.h"
+#include "realtime/executor/left_out.h"
 #include "realtime/executor/receivers.h"
 #include "realtime/executor/texel_planes.h"
 #include "realtime/harness/context.h"
@@ -79,6 +80,7 @@ struct GlRun {
   std::shared_ptr<const SceneOnGpu> scene;
   std::shared_ptr<const Picture> picture;
   Plan plan;
+  std::vector<std::string> left_out;
   std::optional<PassTimers> timers;
 };
 
@@ -180,10 +182,17 @@ class GlRenderer final : public Renderer {
     run->scene = scene_on_gpu(scene);
     run->picture = picture_of(scene, request);
     const Picture& picture = *run->picture;
-    run->plan =
-        make_plan({run->technique, run->parameters, scene, run->scene->buffers, picture.gbuffer,
-                   picture.receivers, picture.receiver_plane_world, request.seed, settings_.shaders_folder},
-                  programs_);
+    const RunInputs inputs{run->technique,
+                           run->parameters,
+                           scene,
+                           run->scene->buffers,
+                           picture.gbuffer,
+                           picture.receivers,
+                           picture.receiver_plane_world,
+                           request.seed,
+                           settings_.shaders_folder};
+    run->plan = make_plan(inputs, programs_);
+    run->left_out = left_out(inputs, run->plan);
     if (!is_timed) return run;
     if (!timer_) timer_ = choose_timer();
     run->timers.emplace(*timer_, run->plan.labels.size());
@@ -219,6 +228,7 @@ class GlRenderer final : public Renderer {
     frame.image = run.picture->image;
     frame.memory_bytes = run.plan.targets->declared_bytes();
     frame.warnings = run.plan.warnings;
+    frame.left_out = run.left_out;
     read_visibility(run.plan, run.technique, frame);
   }
 

@@ -2,6 +2,7 @@
 
 #include "study/json_optional.h"
 #include "study/json_parts.h"
+#include "study/recommend.h"
 
 #include <cmath>
 
@@ -74,12 +75,19 @@ Json scene_json(const BenchScene& scene, const BenchPlan& plan, const BenchQueri
             {"runs", entries},
             {"claims", claims}};
   if (!json["parity"].is_null()) json["parity"].erase("picture_file");
+  const auto best = recommended(scene.entries);
+  json["recommended"] = best ? Json(scene.entries[*best].label) : Json(nullptr);
   if (queries.best_under_ms)
     json["best_under"] = ranking_json(best_under(scene.entries, *queries.best_under_ms), scene);
   if (queries.cheapest_below_rmse)
     json["cheapest_below_rmse"] =
         ranking_json(cheapest_below_rmse(scene.entries, *queries.cheapest_below_rmse), scene);
   return json;
+}
+
+Json overall_json(const std::optional<OverallRecommendation>& overall) {
+  if (!overall) return nullptr;
+  return {{"label", overall->label}, {"cost", overall->cost}, {"scenes", overall->scenes}};
 }
 
 }  // namespace
@@ -105,6 +113,7 @@ std::string to_json_text(const BenchResults& results, const BenchQueries& querie
                {"note", is_software(results) ? kSoftwareNote : ""},
                {"best_under_ms", optional_json(queries.best_under_ms)},
                {"rmse_limit", optional_json(queries.cheapest_below_rmse)},
+               {"recommended", overall_json(recommended_overall(results.scenes))},
                {"scenes", scenes},
                {"skipped", skips_json(results.skipped)}});
 }

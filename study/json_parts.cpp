@@ -1,5 +1,7 @@
 #include "study/json_parts.h"
 
+#include "study/json_optional.h"
+
 namespace umbrameter {
 namespace {
 
@@ -67,7 +69,10 @@ Json parity_json(const std::optional<ParityNumbers>& parity) {
 Json skips_json(const std::vector<Skip>& skipped) {
   Json list = Json::array();
   for (const Skip& skip : skipped) {
-    list.push_back({{"scene", skip.scene}, {"technique", skip.technique}, {"reason", skip.reason}});
+    list.push_back({{"scene", skip.scene},
+                    {"technique", skip.technique},
+                    {"reason", skip.reason},
+                    {"saved_s", optional_json(skip.saved_s)}});
   }
   return list;
 }

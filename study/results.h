@@ -19,11 +19,12 @@
 
 namespace umbrameter {
 
-/// Something that was left out on purpose. `technique` is empty when a whole scene was skipped.
+/// Something that was left out on purpose. `technique` is empty when it is of the whole scene or its truth.
 struct Skip {
   std::string scene;
   std::string technique;
   std::string reason;
+  std::optional<double> saved_s = {};  // estimate (study/savings.h); absent when nothing tells
 };
 
 /// Why a run has no result: the text and kind of the Error it ended with.
@@ -54,7 +55,11 @@ struct ReferenceResult {
   double mean_visibility_se = 0.0;  // over covered pixels; 0 when there are none
   double max_visibility_se = 0.0;
   double mean_sample_count = 0.0;
+  double proven_lit_share = 0.0;   // of the covered pixels: no caster between them and the light
+  double proven_dark_share = 0.0;  // one triangle, or their own surface, hides all of the light
   std::vector<std::string> warnings;
+  std::string measured_at;   // UTC
+  bool is_reused = false;    // taken from the store by this process; not written
   std::string image_file;    // EXR; file names are relative to the results folder
   std::string picture_file;  // PNG
 };
@@ -88,6 +93,9 @@ struct TechniqueResult {
   uint64_t memory_bytes = 0;
   double wall_time_s = 0.0;
   std::vector<std::string> warnings;
+  std::vector<std::string> left_out;  // passes and textures that the parameters do not need
+  std::string measured_at;            // UTC
+  bool is_reused = false;             // taken from the store by this process; not written
   std::string image_file;
   std::string picture_file;
   std::string error_picture_file;
@@ -110,6 +118,12 @@ struct SceneResult {
   std::vector<TechniqueResult> techniques;
 };
 
+/// What this process did; not written.
+struct WorkDone {
+  size_t rendered = 0, reused = 0;  // runs
+  size_t references_rendered = 0, references_reused = 0;
+};
+
 struct Results {
   std::string version;
   std::string commit;
@@ -121,6 +135,7 @@ struct Results {
   std::optional<double> target_se;
   std::vector<SceneResult> scenes;
   std::vector<Skip> skipped;
+  WorkDone work;
 };
 
 /// Time of a whole frame: the entry "total". Absent when nothing was timed.

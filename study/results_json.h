@@ -14,6 +14,9 @@ inline constexpr int kResultsSchema = 3;
 /// The whole document, indented, ending in a newline; equal results give equal bytes.
 std::string to_json_text(const Results& results);
 
+/// The same with `work`: what this process rendered and reused.
+std::string to_json_text_with_work(const Results& results);
+
 /// Reads what to_json_text wrote. Error{input} naming `file` for anything else.
 Results parse_results(std::string_view text, const std::string& file);
 

@@ -41,7 +41,8 @@ Results read_results(const Json& json) {
   results.target_se = read_optional<double>(json.at("target_se"));
   for (const Json& scene : json.at("scenes")) results.scenes.push_back(read_scene(scene));
   for (const Json& skip : json.at("skipped")) {
-    results.skipped.push_back({skip.at("scene"), skip.at("technique"), skip.at("reason")});
+    results.skipped.push_back({skip.at("scene"), skip.at("technique"), skip.at("reason"),
+                               read_optional<double>(skip.value("saved_s", Json()))});
   }
   return results;
 }

@@ -30,23 +30,40 @@ Json scene_json(const SceneResult& scene) {
           {"techniques", techniques}};
 }
 
+Json results_json(const Results& results) {
+  Json scenes = Json::array();
+  for (const SceneResult& scene : results.scenes) scenes.push_back(scene_json(scene));
+  return {{"schema", kResultsSchema},
+          {"version", results.version},
+          {"commit", results.commit},
+          {"quality", results.quality},
+          {"width_px", results.width_px},
+          {"height_px", results.height_px},
+          {"seed", results.seed},
+          {"samples_per_pixel", results.samples_per_pixel},
+          {"target_se", optional_json(results.target_se)},
+          {"parity_passes", parity_passes(results)},
+          {"scenes", scenes},
+          {"skipped", skips_json(results.skipped)}};
+}
+
+Json work_json(const WorkDone& work) {
+  return {{"rendered", work.rendered},
+          {"reused", work.reused},
+          {"references_rendered", work.references_rendered},
+          {"references_reused", work.references_reused}};
+}
+
 }  // namespace
 
 std::string to_json_text(const Results& results) {
-  Json scenes = Json::array();
-  for (const SceneResult& scene : results.scenes) scenes.push_back(scene_json(scene));
-  return dump({{"schema", kResultsSchema},
-               {"version", results.version},
-               {"commit", results.commit},
-               {"quality", results.quality},
-               {"width_px", results.width_px},
-               {"height_px", results.height_px},
-               {"seed", results.seed},
-               {"samples_per_pixel", results.samples_per_pixel},
-               {"target_se", optional_json(results.target_se)},
-               {"parity_passes", parity_passes(results)},
-               {"scenes", scenes},
-               {"skipped", skips_json(results.skipped)}});
+  return dump(results_json(results));
+}
+
+std::string to_json_text_with_work(const Results& results) {
+  Json json = results_json(results);
+  json["work"] = work_json(results.work);
+  return dump(json);
 }
 
 std::string to_json_text(const Score& score, const std::string& test_file,

@@ -99,6 +99,8 @@ TechniqueResult read_technique(const nlohmann::json& json) {
   run.memory_bytes = json.at("memory_bytes");
   run.wall_time_s = json.at("wall_time_s");
   run.warnings = json.at("warnings").get<std::vector<std::string>>();
+  run.left_out = json.value("left_out", std::vector<std::string>{});  // since 2026-11
+  run.measured_at = json.value("measured_at", "");                    // since 2026-11
   run.image_file = json.at("image_file");
   run.picture_file = json.at("picture_file");
   run.error_picture_file = json.at("error_picture_file");
@@ -119,6 +121,9 @@ std::optional<ReferenceResult> read_reference(const nlohmann::json& json) {
   reference.mean_visibility_se = json.at("mean_visibility_se");
   reference.max_visibility_se = json.at("max_visibility_se");
   reference.mean_sample_count = json.at("mean_sample_count");
+  reference.proven_lit_share = json.value("proven_lit_share", 0.0);    // since 2026-11
+  reference.proven_dark_share = json.value("proven_dark_share", 0.0);  // since 2026-11
+  reference.measured_at = json.value("measured_at", "");               // since 2026-11
   reference.warnings = json.at("warnings").get<std::vector<std::string>>();
   reference.image_file = json.at("image_file");
   reference.picture_file = json.at("picture_file");

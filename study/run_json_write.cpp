@@ -64,6 +64,8 @@ Json technique_json(const TechniqueResult& run) {
             {"memory_bytes", run.memory_bytes},
             {"wall_time_s", run.wall_time_s},
             {"warnings", run.warnings},
+            {"left_out", run.left_out},
+            {"measured_at", run.measured_at},
             {"image_file", run.image_file},
             {"picture_file", run.picture_file},
             {"error_picture_file", run.error_picture_file},
@@ -83,7 +85,10 @@ Json reference_json(const std::optional<ReferenceResult>& reference) {
           {"mean_visibility_se", reference->mean_visibility_se},
           {"max_visibility_se", reference->max_visibility_se},
           {"mean_sample_count", reference->mean_sample_count},
+          {"proven_lit_share", reference->proven_lit_share},
+          {"proven_dark_share", reference->proven_dark_share},
           {"warnings", reference->warnings},
+          {"measured_at", reference->measured_at},
           {"image_file", reference->image_file},
           {"picture_file", reference->picture_file}};
 }

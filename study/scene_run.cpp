@@ -1,10 +1,13 @@
 #include "study/scene_run.h"
 
+#include "core/clock.h"
+#include "core/files.h"
 #include "core/image_io.h"
 #include "study/guard.h"
 #include "study/metadata.h"
 #include "study/pictures.h"
 #include "study/score.h"
+#include "study/sweep/record.h"
 #include "study/timing.h"
 
 #include <fmt/format.h>
@@ -32,24 +35,6 @@ TechniqueResult describe(const TechniqueRun& run) {
   return result;
 }
 
-/// Every run of the plan that supports the scene's light, undone; the others join `skipped`.
-std::vector<TechniqueFrame> choose_runs(const SceneContext& context, std::vector<Skip>& skipped,
-                                        std::vector<LabelledRequest>& requests) {
-  std::vector<TechniqueFrame> frames;
-  for (const TechniqueRun& run : context.plan.techniques) {
-    if (const auto reason = skip_reason(run, context.job.scene)) {
-      skipped.push_back({context.job.name, run.label, *reason});
-      continue;
-    }
-    RenderRequest request = request_of(context.plan);
-    request.technique = run.technique;
-    request.parameters = run.parameters;
-    requests.push_back({run.label, request});
-    frames.push_back({describe(run), {}, {}});
-  }
-  return frames;
-}
-
 void take_result(TimedRun& run, TechniqueFrame& out) {
   TechniqueResult& result = out.result;
   result.failure = run.failure;
@@ -62,15 +47,37 @@ void take_result(TimedRun& run, TechniqueFrame& out) {
   result.memory_bytes = out.frame.memory_bytes;
   result.wall_time_s = out.frame.wall_time_s;
   result.warnings = out.frame.warnings;
+  result.left_out = out.frame.left_out;
+  result.measured_at = time_now();
+}
+
+void save_visibility(const SceneContext& context, const Image& image, ReferenceResult& result) {
+  result.picture_file = context.relative("reference.png");
+  save_picture(context, result.picture_file, visibility_picture(image));
+}
+
+/// Of a run that was scored by another process.
+void require_picture(const SceneContext& context, const Image& reference, TechniqueFrame& run) {
+  if (!run.mask.empty()) return;
+  const glm::dvec3& eye = context.scene.camera.eye_world;
+  const double eye_world[3] = {eye.x, eye.y, eye.z};
+  run.frame.image = read_image(context.folder / run.result.image_file);
+  run.mask = scored_mask(compare_surfaces(run.frame.image, reference, eye_world), reference);
 }
 
 }  // namespace
 
+std::string image_path(const std::string& scene, const std::string& file) {
+  return "images/" + file_name_of(scene) + "/" + file;
+}
+
 std::string SceneContext::relative(const std::string& file) const {
-  return "images/" + file_name_of(job.name) + "/" + file;
+  return image_path(name, file);
 }
 
 void summarise_errors(const Image& image, ReferenceResult& result) {
+  const auto visibility = image.plane("visibility");
+  const auto irradiance = image.plane("unshadowed_irradiance");
   const auto se = image.plane("visibility_se");
   const auto samples = image.plane("sample_count");
   const auto primitive = image.plane("primitive_id");
@@ -81,10 +88,15 @@ void summarise_errors(const Image& image, ReferenceResult& result) {
     result.mean_visibility_se += static_cast<double>(se[i]);
     result.mean_sample_count += static_cast<double>(samples[i]);
     result.max_visibility_se = std::max(result.max_visibility_se, static_cast<double>(se[i]));
+    // None where visibility is proven (reference/reference.h), and none where the light cannot be anyway.
+    if (samples[i] > 0.0f || irradiance[i] <= 0.0f) continue;
+    (visibility[i] > 0.0f ? result.proven_lit_share : result.proven_dark_share) += 1.0;
   }
   if (covered == 0.0) return;
   result.mean_visibility_se /= covered;
   result.mean_sample_count /= covered;
+  result.proven_lit_share /= covered;
+  result.proven_dark_share /= covered;
 }
 
 RenderRequest request_of(const ValidationPlan& plan) {
@@ -95,47 +107,74 @@ RenderRequest request_of(const ValidationPlan& plan) {
           .parameters = {}};
 }
 
-std::vector<TechniqueFrame> render_techniques(const SceneContext& context, std::vector<Skip>& skipped) {
-  std::vector<LabelledRequest> requests;
-  std::vector<TechniqueFrame> frames = choose_runs(context, skipped, requests);
-  const TimingPlan timing{context.plan.timed_frames, context.plan.timing_budget_s};
-  std::vector<TimedRun> runs =
-      render_interleaved(context.renderers.realtime, context.job.scene, requests, timing, context.progress);
-  for (size_t i = 0; i < runs.size(); ++i) {
-    take_result(runs[i], frames[i]);
-    TechniqueResult& result = frames[i].result;
-    if (result.failure) continue;
-    add_metadata(frames[i].frame, context.job.scene, requests[i].request);
-    result.image_file = context.relative(file_name_of(result.label) + ".exr");
-    save_image(context, result.image_file, frames[i].frame.image);
+std::vector<TechniqueFrame> choose_runs(const ValidationPlan& plan, const std::string& scene, LightType light,
+                                        std::vector<Skip>& skipped) {
+  std::vector<TechniqueFrame> runs;
+  for (const TechniqueRun& run : plan.techniques) {
+    if (const auto reason = skip_reason(run, light)) {
+      skipped.push_back({scene, run.label, *reason});
+      continue;
+    }
+    runs.push_back({run, describe(run), {}, {}, {}});
   }
-  return frames;
+  return runs;
 }
 
-Frame render_reference(const SceneContext& context, SceneResult& scene) {
+void render_techniques(const SceneContext& context, std::span<TechniqueFrame> runs) {
+  std::vector<TechniqueFrame*> missing;
+  std::vector<LabelledRequest> requests;
+  for (TechniqueFrame& run : runs) {
+    if (run.result.is_reused) continue;
+    RenderRequest request = request_of(context.plan);
+    request.technique = run.technique.technique;
+    request.parameters = run.technique.parameters;
+    requests.push_back({run.result.label, request});
+    missing.push_back(&run);
+  }
+  const TimingPlan timing{context.plan.timed_frames, context.plan.timing_budget_s};
+  std::vector<TimedRun> timed =
+      render_interleaved(context.renderers.realtime, context.scene, requests, timing, context.progress);
+  for (size_t i = 0; i < timed.size(); ++i) {
+    TechniqueFrame& run = *missing[i];
+    take_result(timed[i], run);
+    if (run.result.failure) continue;
+    add_metadata(run.frame, context.scene, requests[i].request);
+    run.result.image_file = context.relative(file_name_of(run.result.label) + ".exr");
+    save_image(context, run.result.image_file, run.frame.image);
+  }
+}
+
+Image require_reference(const SceneContext& context, SceneResult& scene) {
+  if (scene.reference) {
+    Image image = read_image(context.folder / scene.reference->image_file);
+    if (!scene.reference->picture_file.empty()) return image;
+    save_visibility(context, image, *scene.reference);  // a sweep has no pictures
+    scene.reference->is_reused = false;                 // so that it is kept with one
+    return image;
+  }
   Frame frame;
   const RenderRequest request = request_of(context.plan);
   ReferenceResult result;
   scene.failure = guarded([&] {
-    frame = context.renderers.reference.render(context.job.scene, request, context.progress);
+    frame = context.renderers.reference.render(context.scene, request, context.progress);
     summarise_errors(frame.image, result);
   });
-  if (scene.failure) return frame;
+  if (scene.failure) return {};
   result.device = frame.device;
   result.wall_time_s = frame.wall_time_s;
   result.warnings = frame.warnings;
-  add_metadata(frame, context.job.scene, request);
+  result.measured_at = time_now();
+  add_metadata(frame, context.scene, request);
   result.image_file = context.relative("reference.exr");
   save_image(context, result.image_file, frame.image);
-  result.picture_file = context.relative("reference.png");
-  save_picture(context, result.picture_file, visibility_picture(frame.image));
+  save_visibility(context, frame.image, result);
   scene.reference = result;
-  return frame;
+  return std::move(frame.image);
 }
 
 void compare_renderers(const SceneContext& context, const Image& surfaces, const Image& reference,
                        SceneResult& scene) {
-  const glm::dvec3& eye = context.job.scene.camera.eye_world;
+  const glm::dvec3& eye = context.scene.camera.eye_world;
   const double eye_world[3] = {eye.x, eye.y, eye.z};
   const ParityTolerance tolerance;
   Parity parity;
@@ -147,13 +186,15 @@ void compare_renderers(const SceneContext& context, const Image& surfaces, const
   scene.parity = numbers;
 }
 
+namespace {
+
 void score_technique(const SceneContext& context, const Image& reference, TechniqueFrame& run) {
   TechniqueResult& result = run.result;
   const Image& image = run.frame.image;
   const std::string stem = file_name_of(result.label);
   Score score;
   result.failure = guarded([&] {
-    score = score_image(image, reference, context.job.scene.camera.eye_world,
+    score = score_image(image, reference, context.scene.camera.eye_world,
                         {context.plan.metrics, context.plan.limit_rmse, context.plan.maps});
   });
   if (result.failure) return;
@@ -183,19 +224,81 @@ void score_technique(const SceneContext& context, const Image& reference, Techni
                fault_picture(score.fault_classes, image.width, image.height));
 }
 
+/// A picture equal to that of `twin`, which is scored: its scores are the same, and so are its maps.
+void take_scores(const SceneContext& context, const TechniqueFrame& twin, TechniqueFrame& run) {
+  const TechniqueResult& from = twin.result;
+  TechniqueResult& result = run.result;
+  const std::string stem = file_name_of(result.label);
+  const auto copied = [&](const std::string& picture, const char* suffix) {
+    if (picture.empty()) return std::string();
+    const std::string file = context.relative(stem + suffix);
+    write_file_atomically(context.folder / file, read_file(context.folder / picture));
+    return file;
+  };
+  result.picture_file = copied(from.picture_file, ".png");
+  result.error_picture_file = copied(from.error_picture_file, "-error.png");
+  result.fault_picture_file = copied(from.fault_picture_file, "-faults.png");
+  result.maps_file = copied(from.maps_file, "-maps.exr");
+  result.error = from.error;
+  result.judgement = from.judgement;
+  result.judgement.verdict.reset();
+  result.similarity = from.similarity;
+  result.diagnosis = from.diagnosis;
+  result.clipped_share = from.clipped_share;
+  result.left_out.push_back(fmt::format(
+      "scoring: the picture is pixel by pixel that of '{}' (saves {:.2g} s)", from.label, twin.scoring_s));
+  run.mask = twin.mask;
+}
+
+/// The first scored run before `run` with the same picture.
+const TechniqueFrame* twin_of(const ValidationPlan& plan, const TechniqueFrame& run,
+                              std::span<const TechniqueFrame> earlier) {
+  const auto found = std::ranges::find_if(earlier, [&](const TechniqueFrame& other) {
+    const bool is_scored = !other.result.is_reused && other.result.error &&
+                           other.result.diagnosis.has_value() == plan.metrics.diagnosis;
+    const Image &one = run.frame.image, &two = other.frame.image;
+    return is_scored && std::ranges::equal(one.plane("visibility"), two.plane("visibility")) &&
+           one.planes == two.planes;  // where the map's texels lie counts, too
+  });
+  return found == earlier.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+void score_techniques(const SceneContext& context, const Image& reference, std::span<TechniqueFrame> runs) {
+  for (size_t i = 0; i < runs.size(); ++i) {
+    TechniqueFrame& run = runs[i];
+    if (run.result.is_reused || run.result.failure) continue;
+    const Clock::time_point start = Clock::now();
+    const TechniqueFrame* twin = context.plan.skip ? twin_of(context.plan, run, runs.first(i)) : nullptr;
+    if (twin != nullptr) {
+      take_scores(context, *twin, run);
+    } else {
+      score_technique(context, reference, run);
+    }
+    run.scoring_s = seconds_since(start);
+  }
+}
+
+TechniqueFrame* baseline_of(const ValidationPlan& plan, std::span<TechniqueFrame> runs) {
+  if (!plan.metrics.verdict) return nullptr;
+  const auto baseline = std::ranges::find_if(runs, [&](const TechniqueFrame& run) {
+    return run.result.error && (plan.baseline.empty() || run.result.label == plan.baseline);
+  });
+  return baseline == runs.end() ? nullptr : &*baseline;
+}
+
 void compare_with_baseline(const SceneContext& context, const Image& reference,
                            std::span<TechniqueFrame> runs) {
-  if (!context.plan.metrics.verdict) return;
-  const std::string& wanted = context.plan.baseline;
-  const auto baseline = std::ranges::find_if(runs, [&](const TechniqueFrame& run) {
-    return run.result.error && (wanted.empty() || run.result.label == wanted);
-  });
-  if (baseline == runs.end()) return;
-  const ScoredImage against = {baseline->frame.image, baseline->mask};
+  TechniqueFrame* const baseline = baseline_of(context.plan, runs);
+  if (baseline == nullptr) return;
   for (TechniqueFrame& run : runs) {
-    if (!run.result.error || &run == &*baseline) continue;
+    if (!run.result.error || &run == baseline || run.has_verdict) continue;
+    require_picture(context, reference, *baseline);
+    require_picture(context, reference, run);
     run.result.judgement.verdict =
-        judge_against({run.frame.image, run.mask}, against, baseline->result.label, reference);
+        judge_against({run.frame.image, run.mask}, {baseline->frame.image, baseline->mask},
+                      baseline->result.label, reference);
   }
 }
 

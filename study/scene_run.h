@@ -7,7 +7,8 @@ namespace umbrameter {
 
 /// What every step needs.
 struct SceneContext {
-  const SceneJob& job;
+  const std::string& name;  // unique in the results
+  const Scene& scene;
   const ValidationPlan& plan;
   Renderers renderers;
   std::filesystem::path folder;  // of all results
@@ -17,34 +18,47 @@ struct SceneContext {
   std::string relative(const std::string& file) const;
 };
 
+/// images/<scene>/<file>: where an image goes, relative to the results folder.
+std::string image_path(const std::string& scene, const std::string& file);
+
 /// A run with its picture, until it is scored.
 struct TechniqueFrame {
+  TechniqueRun technique;
   TechniqueResult result;
   Frame frame;
   std::vector<uint8_t> mask;  // scored pixels
+  std::string key;            // in the store; empty without one
+  double scoring_s = 0.0;
+  bool has_verdict = false;  // known, though there may be none
 };
 
 /// The plan's size and seed, no technique.
 RenderRequest request_of(const ValidationPlan& plan);
 
-/// Renders every technique of the plan that supports the scene's light, stores its image, and times them all in
-/// turn; the others join `skipped`.
-std::vector<TechniqueFrame> render_techniques(const SceneContext& context, std::vector<Skip>& skipped);
+/// Every run of the plan that supports the light, undone; the others join `skipped`.
+std::vector<TechniqueFrame> choose_runs(const ValidationPlan& plan, const std::string& scene, LightType light,
+                                        std::vector<Skip>& skipped);
 
-/// Sets the standard errors and sample counts over the covered pixels of a truth.
+/// Renders all runs that are not reused, stores their images, and times them in turn.
+void render_techniques(const SceneContext& context, std::span<TechniqueFrame> runs);
+
+/// Sets standard errors, sample counts and shares of proven pixels over the covered pixels of a truth.
 void summarise_errors(const Image& image, ReferenceResult& result);
 
-/// Renders and stores the truth; sets scene.reference, or scene.failure.
-Frame render_reference(const SceneContext& context, SceneResult& scene);
+/// The truth: read when scene.reference is known, else rendered and stored. Sets scene.reference, or scene.failure.
+Image require_reference(const SceneContext& context, SceneResult& scene);
 
 /// Sets scene.parity, or scene.failure, and stores the parity picture.
 void compare_renderers(const SceneContext& context, const Image& surfaces, const Image& reference,
                        SceneResult& scene);
 
-/// Sets the run's error, or its failure, and stores its pictures.
-void score_technique(const SceneContext& context, const Image& reference, TechniqueFrame& run);
+/// Sets the errors of the runs that are not reused, or their failures, and stores their pictures.
+void score_techniques(const SceneContext& context, const Image& reference, std::span<TechniqueFrame> runs);
 
-/// Sets the verdicts of all scored runs but the plan's baseline, unless that one has no score here.
+/// The run that the others' verdicts compare with; null when verdicts are not wanted and when it has no score here.
+TechniqueFrame* baseline_of(const ValidationPlan& plan, std::span<TechniqueFrame> runs);
+
+/// Sets the verdicts of all scored runs that have none yet.
 void compare_with_baseline(const SceneContext& context, const Image& reference,
                            std::span<TechniqueFrame> runs);
 

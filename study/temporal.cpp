@@ -52,10 +52,10 @@ Image only(const Image& image, std::span<const char* const> channels) {
   return kept;
 }
 
-RenderRequest request_of(const SceneContext& context, const TechniqueResult& run, uint64_t seed) {
+RenderRequest request_of(const SceneContext& context, const TechniqueFrame& run, uint64_t seed) {
   RenderRequest request = request_of(context.plan);
-  request.technique = run.technique;
-  request.parameters = run.parameters;
+  request.technique = run.technique.technique;
+  request.parameters = run.result.parameters;
   request.seed = seed;
   return request;
 }
@@ -85,7 +85,7 @@ Take record(const SceneContext& context, const Sequence& sequence, const Techniq
             const RenderRequest& request) {
   Take take;
   constexpr std::array kTestChannels = {"visibility"};
-  Scene stage = context.job.scene;
+  Scene stage = context.scene;
   for (size_t k = 0; k < sequence.moments.size(); ++k) {
     set(stage, sequence.moments[k]);
     const Frame frame =
@@ -105,8 +105,8 @@ std::optional<double> seed_noise(const SceneContext& context, const TechniqueFra
   std::vector<Image> tests;
   std::vector<const Image*> pointers = {&run.frame.image};
   for (uint64_t k = 1; k < kSeeds; ++k) {
-    const RenderRequest request = request_of(context, run.result, context.plan.seed + k);
-    tests.push_back(context.renderers.realtime.render(context.job.scene, request, context.progress).image);
+    const RenderRequest request = request_of(context, run, context.plan.seed + k);
+    tests.push_back(context.renderers.realtime.render(context.scene, request, context.progress).image);
   }
   for (const Image& test : tests) pointers.push_back(&test);
   return measure_seed_noise(pointers, mask);
@@ -126,12 +126,12 @@ Moment moment_of(const Scene& scene, Motion motion, int k, int height_px) {
 
 Sequence render_sequence(const SceneContext& context, Motion motion, const Image& reference) {
   Sequence sequence;
-  Scene stage = context.job.scene;
+  Scene stage = context.scene;
   const RenderRequest request = request_of(context.plan);
   sequence.moments.push_back({stage.camera, stage.light()});
   sequence.references.push_back(only(reference, kReferenceChannels));
   for (int k = 1; k < context.plan.temporal_frames; ++k) {
-    sequence.moments.push_back(moment_of(context.job.scene, motion, k, context.plan.height_px));
+    sequence.moments.push_back(moment_of(context.scene, motion, k, context.plan.height_px));
     set(stage, sequence.moments.back());
     const Frame frame = context.renderers.reference.render(stage, request, context.progress);
     sequence.references.push_back(only(frame.image, kReferenceChannels));
@@ -141,7 +141,7 @@ Sequence render_sequence(const SceneContext& context, Motion motion, const Image
 
 void measure_temporal(const SceneContext& context, const Sequence& camera, const Sequence& light,
                       TechniqueFrame& run) {
-  const RenderRequest request = request_of(context, run.result, context.plan.seed);
+  const RenderRequest request = request_of(context, run, context.plan.seed);
   const auto failure = guarded([&] {
     TemporalNumbers numbers;
     numbers.frames = static_cast<int>(camera.moments.size());

@@ -3,8 +3,10 @@
 #include "core/files.h"
 #include "study/guard.h"
 #include "study/renamed_progress.h"
+#include "study/savings.h"
 #include "study/scene_run.h"
 #include "study/temporal.h"
+#include "study/validation_memory.h"
 #include "umbrameter_version.h"
 
 #include <fmt/format.h>
@@ -28,55 +30,151 @@ SceneResult describe(const SceneJob& job) {
   return result;
 }
 
+/// What every step of a scene's validation needs, before the scene is loaded.
+struct SceneWork {
+  const SceneSource& source;
+  const ValidationPlan& plan;
+  Renderers renderers;
+  const std::filesystem::path& folder;
+  Progress& progress;
+  ValidationMemory* memory;  // may be null
+};
+
+bool is_missing(const TechniqueFrame& run) {
+  return !run.result.is_reused;
+}
+
 /// Sequences of the truth are made once a scene, and only when a run was scored.
 void measure_sequences(const SceneContext& context, const Image& reference,
                        std::vector<TechniqueFrame>& runs) {
-  if (std::none_of(runs.begin(), runs.end(), [](const auto& run) { return run.result.error.has_value(); }))
-    return;
+  const auto is_wanted = [](const TechniqueFrame& run) { return is_missing(run) && run.result.error; };
+  if (std::ranges::none_of(runs, is_wanted)) return;
   const Sequence camera = render_sequence(context, Motion::camera, reference);
   const Sequence light = render_sequence(context, Motion::light, reference);
   for (TechniqueFrame& run : runs) {
-    if (run.result.error) measure_temporal(context, camera, light, run);
+    if (is_wanted(run)) measure_temporal(context, camera, light, run);
   }
 }
 
-SceneResult validate_scene(const SceneContext& context, std::vector<Skip>& skipped) {
-  SceneResult scene = describe(context.job);
-  create_folder((context.folder / context.relative("reference.exr")).parent_path());
+void skip_unlit(const SceneWork& work, std::vector<TechniqueFrame>& runs, std::vector<Skip>& skipped) {
+  runs.clear();
+  skipped.push_back({work.source.description.name, "", "the light reaches nothing in the picture"});
+}
+
+bool is_unlit(const Image& surfaces) {
+  const auto irradiance = surfaces.plane("unshadowed_irradiance");
+  return std::ranges::none_of(irradiance, [](float e) { return e > 0.0f; });
+}
+
+/// Sets all verdicts that are known; whether that is all of them.
+bool recall_verdicts(const SceneWork& work, std::vector<TechniqueFrame>& runs) {
+  const TechniqueFrame* const baseline = baseline_of(work.plan, runs);
+  if (baseline == nullptr) return true;
+  bool is_complete = true;
+  for (TechniqueFrame& run : runs) {
+    if (!run.result.error || &run == baseline) continue;
+    run.has_verdict = work.memory->recall_verdict(*baseline, run);
+    is_complete = is_complete && run.has_verdict;
+  }
+  return is_complete;
+}
+
+/// Sets what is known; whether that is everything.
+bool recall(const SceneWork& work, SceneResult& scene, std::vector<TechniqueFrame>& runs,
+            std::vector<Skip>& skipped) {
+  if (work.memory == nullptr) return false;
+  work.memory->recall(work.source, work.plan, work.folder, scene, runs);
+  if (work.plan.skip && work.memory->is_unlit(work.source, work.plan)) {
+    skip_unlit(work, runs, skipped);
+    return true;
+  }
+  const bool has_truth = scene.reference && !scene.reference->picture_file.empty() && scene.parity;
+  return recall_verdicts(work, runs) && has_truth && std::ranges::none_of(runs, is_missing);
+}
+
+void remember_verdicts(const SceneWork& work, std::vector<TechniqueFrame>& runs) {
+  const TechniqueFrame* const baseline = baseline_of(work.plan, runs);
+  if (baseline == nullptr) return;
+  for (const TechniqueFrame& run : runs) {
+    if (run.result.error && &run != baseline && !run.has_verdict)
+      work.memory->remember_verdict(*baseline, run);
+  }
+}
+
+/// Renders and scores what is not known yet.
+void measure(const SceneWork& work, SceneResult& scene, std::vector<TechniqueFrame>& runs,
+             std::vector<Skip>& skipped) {
+  const auto loaded = work.source.load();
+  const SceneContext context{scene.name, *loaded, work.plan, work.renderers, work.folder, work.progress};
   // Real time first: a shader that does not compile is found before the long wait for the reference.
   Frame surfaces;
   scene.failure = guarded([&] {
-    surfaces =
-        context.renderers.realtime.render(context.job.scene, request_of(context.plan), context.progress);
+    if (scene.parity) return;
+    surfaces = work.renderers.realtime.render(*loaded, request_of(work.plan), work.progress);
   });
-  if (scene.failure) return scene;
-  std::vector<TechniqueFrame> runs = render_techniques(context, skipped);
-  const bool all_failed =
-      !runs.empty() && std::all_of(runs.begin(), runs.end(),
-                                   [](const TechniqueFrame& run) { return run.result.failure.has_value(); });
-  Frame reference;
-  if (!all_failed) reference = render_reference(context, scene);
-  if (scene.reference) compare_renderers(context, surfaces.image, reference.image, scene);
-  for (TechniqueFrame& run : runs) {
-    const bool is_comparable = !run.result.failure && scene.parity && scene.parity->passes;
-    if (is_comparable) score_technique(context, reference.image, run);
+  if (scene.failure) return runs.clear();
+  if (!scene.parity && work.plan.skip && is_unlit(surfaces.image)) {
+    if (work.memory != nullptr) work.memory->remember_unlit(work.source, work.plan);
+    return skip_unlit(work, runs, skipped);
   }
-  compare_with_baseline(context, reference.image, runs);
-  if (context.plan.temporal_frames > 0) measure_sequences(context, reference.image, runs);
+  render_techniques(context, runs);
+  const bool all_failed = !runs.empty() && std::ranges::all_of(runs, [](const TechniqueFrame& run) {
+    return run.result.failure.has_value();
+  });
+  Image reference;
+  if (!all_failed) reference = require_reference(context, scene);
+  if (scene.reference && !scene.parity && !all_failed)
+    compare_renderers(context, surfaces.image, reference, scene);
+  if (scene.parity && scene.parity->passes) score_techniques(context, reference, runs);
+  if (work.memory != nullptr) recall_verdicts(work, runs);
+  compare_with_baseline(context, reference, runs);
+  if (work.plan.temporal_frames > 0) measure_sequences(context, reference, runs);
+  if (work.memory == nullptr) return;
+  work.memory->remember(work.source, work.plan, work.folder, scene, runs);
+  remember_verdicts(work, runs);
+}
+
+void count(const SceneResult& scene, WorkDone& work) {
+  if (scene.reference) ++(scene.reference->is_reused ? work.references_reused : work.references_rendered);
+  for (const TechniqueResult& run : scene.techniques) ++(run.is_reused ? work.reused : work.rendered);
+}
+
+SceneResult validate_scene(const SceneWork& work, Results& results) {
+  SceneResult scene = work.source.description;
+  create_folder((work.folder / image_path(scene.name, "reference.exr")).parent_path());
+  std::vector<TechniqueFrame> runs = choose_runs(work.plan, scene.name, work.source.light, results.skipped);
+  if (!recall(work, scene, runs, results.skipped)) measure(work, scene, runs, results.skipped);
   for (TechniqueFrame& run : runs) scene.techniques.push_back(std::move(run.result));
+  count(scene, results.work);
   return scene;
 }
 
 }  // namespace
 
-std::optional<std::string> skip_reason(const TechniqueRun& run, const Scene& scene) {
-  const LightType light = scene.light().type;
+SceneSource source_of(const SceneJob& job) {
+  const std::shared_ptr<const Scene> borrowed(&job.scene, [](const Scene*) {});
+  return {describe(job), job.scene.light().type, job.scene.active_light, [borrowed] { return borrowed; }};
+}
+
+std::optional<std::string> skip_reason(const TechniqueRun& run, LightType light) {
   if (std::ranges::find(run.lights, light) != run.lights.end()) return std::nullopt;
   return fmt::format("does not support {} lights", to_text(light));
 }
 
+std::optional<std::string> skip_reason(const TechniqueRun& run, const Scene& scene) {
+  return skip_reason(run, scene.light().type);
+}
+
 Results run_validation(std::span<const SceneJob> scenes, const ValidationPlan& plan, Renderers renderers,
                        const std::filesystem::path& folder, Progress& progress, const SceneDone& scene_done) {
+  std::vector<SceneSource> sources;
+  for (const SceneJob& job : scenes) sources.push_back(source_of(job));
+  return run_validation(sources, plan, renderers, folder, progress, scene_done, nullptr);
+}
+
+Results run_validation(std::span<const SceneSource> scenes, const ValidationPlan& plan, Renderers renderers,
+                       const std::filesystem::path& folder, Progress& progress, const SceneDone& scene_done,
+                       ValidationMemory* memory) {
   Results results;
   results.version = UMBRAMETER_VERSION;
   results.commit = UMBRAMETER_COMMIT;
@@ -86,13 +184,14 @@ Results run_validation(std::span<const SceneJob> scenes, const ValidationPlan& p
   results.seed = plan.seed;
   results.samples_per_pixel = plan.samples_per_pixel;
   results.target_se = plan.target_se;
-  for (const SceneJob& job : scenes) {
+  for (const SceneSource& source : scenes) {
     const std::string prefix =
-        fmt::format("{} ({} of {}), ", job.name, results.scenes.size() + 1, scenes.size());
+        fmt::format("{} ({} of {}), ", source.description.name, results.scenes.size() + 1, scenes.size());
     RenamedProgress renamed(progress, [&](std::string_view task) { return prefix + std::string(task); });
-    results.scenes.push_back(validate_scene({job, plan, renderers, folder, renamed}, results.skipped));
+    results.scenes.push_back(validate_scene({source, plan, renderers, folder, renamed, memory}, results));
     if (scene_done) scene_done(results.scenes.back());
   }
+  add_savings(results);
   return results;
 }
 

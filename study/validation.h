@@ -9,12 +9,15 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace umbrameter {
+
+class ValidationMemory;  // study/validation_memory.h
 
 /// One technique with one parameter set, as chosen by the user.
 struct TechniqueRun {
@@ -33,6 +36,17 @@ struct SceneJob {
   Scene scene;
 };
 
+/// A scene that is loaded when more than its description is needed.
+struct SceneSource {
+  SceneResult description;  // without results
+  LightType light = LightType::rect;
+  size_t active_light = 0;
+  std::function<std::shared_ptr<const Scene>()> load;
+};
+
+/// `job` must outlive it.
+SceneSource source_of(const SceneJob& job);
+
 struct ValidationPlan {
   std::string quality;
   int width_px = 960;
@@ -49,6 +63,7 @@ struct ValidationPlan {
       baseline;  // label of the technique that verdicts compare with; empty = a scene's first with a result
   std::optional<double> limit_rmse;
   bool maps = false;  // also an EXR of study/maps.h a run
+  bool skip = true;   // what a scene does not need; off: everything is rendered and scored
 };
 
 struct Renderers {
@@ -57,6 +72,7 @@ struct Renderers {
 };
 
 /// Why `run` is left out of `scene`, if it is.
+std::optional<std::string> skip_reason(const TechniqueRun& run, LightType light);
 std::optional<std::string> skip_reason(const TechniqueRun& run, const Scene& scene);
 
 /// Called after each scene, for a line on the terminal.
@@ -68,5 +84,10 @@ using SceneDone = std::function<void(const SceneResult&)>;
 Results run_validation(std::span<const SceneJob> scenes, const ValidationPlan& plan, Renderers renderers,
                        const std::filesystem::path& folder, Progress& progress,
                        const SceneDone& scene_done = {});
+
+/// The same; what `memory` (may be null) knows is not rendered again, and it learns the rest.
+Results run_validation(std::span<const SceneSource> scenes, const ValidationPlan& plan, Renderers renderers,
+                       const std::filesystem::path& folder, Progress& progress, const SceneDone& scene_done,
+                       ValidationMemory* memory);
 
 }  // namespace umbrameter

@@ -23,11 +23,17 @@ void add(const ParameterValues& parameters, Hasher& hasher) {
 }  // namespace
 
 std::string reference_key(const Scene& scene, const PictureQuality& quality, const Makers& makers) {
+  return reference_key(scene.hash, scene.active_light, quality, makers);
+}
+
+std::string reference_key(const std::string& scene_hash, size_t active_light, const PictureQuality& quality,
+                          const Makers& makers) {
   Hasher hasher;
   hasher.text("reference").text(kReferenceCodeHash).text(makers.reference);
-  hasher.text(scene.hash).number(static_cast<double>(scene.active_light));
+  hasher.text(scene_hash).number(static_cast<double>(active_light));
   hasher.number(quality.width_px).number(quality.height_px).number(quality.samples_per_pixel);
   hasher.number(quality.target_se.value_or(-1.0));  // no standard error is negative
+  if (!quality.skip_proven) hasher.text("every pixel is sampled");
   return hasher.bytes(&quality.reference_seed, sizeof quality.reference_seed).hex();
 }
 
@@ -41,6 +47,24 @@ std::string run_key(const std::string& reference, const TechniqueRun& run, uint6
     hasher.number(chosen ? 1.0 : 0.0);
   add(run.parameters, hasher);
   return hasher.hex();
+}
+
+std::string parity_key(const std::string& reference, const Makers& makers) {
+  Hasher hasher;
+  hasher.text("parity").text(kRealtimeCodeHash).text(kScoringCodeHash).text(reference);
+  return hasher.text(makers.realtime).text(makers.shaders).hex();
+}
+
+std::string validated_run_key(const std::string& run, const ValidationPlan& plan) {
+  Hasher hasher;
+  hasher.text("validated").text(run).number(plan.timed_frames).number(plan.timing_budget_s);
+  hasher.number(plan.temporal_frames).number(plan.limit_rmse.value_or(-1.0));  // no limit is negative
+  for (const bool chosen : {plan.maps, plan.skip}) hasher.number(chosen ? 1.0 : 0.0);
+  return hasher.hex();
+}
+
+std::string verdict_key(const std::string& run, const std::string& baseline) {
+  return Hasher().text("verdict").text(run).text(baseline).hex();
 }
 
 std::string hash_folder(const std::filesystem::path& folder) {

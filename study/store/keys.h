@@ -25,13 +25,26 @@ struct PictureQuality {
   int samples_per_pixel = 0;
   std::optional<double> target_se;
   uint64_t reference_seed = 1;
+  bool skip_proven = true;  // off: sample counts differ, and nothing else
 };
 
 std::string reference_key(const Scene& scene, const PictureQuality& quality, const Makers& makers);
+/// Of a scene of which no more is known.
+std::string reference_key(const std::string& scene_hash, size_t active_light, const PictureQuality& quality,
+                          const Makers& makers);
 
 /// Of a run scored against the truth of `reference`, a reference_key(). The parameters are the complete set.
 std::string run_key(const std::string& reference, const TechniqueRun& run, uint64_t seed,
                     const MetricChoice& metrics, const Makers& makers);
+
+/// Of the G-buffer compared with the truth of `reference`.
+std::string parity_key(const std::string& reference, const Makers& makers);
+
+/// Of a run_key()'s run with what `plan` wants beside its numbers: times, sequences, a limit.
+std::string validated_run_key(const std::string& run, const ValidationPlan& plan);
+
+/// Of a verdict between two runs, by their keys.
+std::string verdict_key(const std::string& run, const std::string& baseline);
 
 /// Names and bytes of every file below; places do not count.
 std::string hash_folder(const std::filesystem::path& folder);

@@ -73,6 +73,13 @@ std::string keep_object(const fs::path& folder, const fs::path& file) {
   return name;
 }
 
+void place_object(const fs::path& folder, const std::string& name, const fs::path& file) {
+  std::error_code error;
+  fs::remove(file, error);
+  fs::create_hard_link(folder / name, file, error);
+  if (error) copy_object(folder / name, file);
+}
+
 bool is_object_name(const std::string& name) {
   return name.starts_with(std::string(kObjectsFolder) + "/") && hash_of(name).size() == kHexDigits;
 }

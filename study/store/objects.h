@@ -17,6 +17,11 @@ std::string hash_file(const std::filesystem::path& file);
 /// be written; then nothing has changed.
 std::string keep_object(const std::filesystem::path& folder, const std::filesystem::path& file);
 
+/// Makes `file` the object's file, without a second copy of its bytes where the file system can: whoever changes the one
+/// changes the other, which is found when it is asked for. Error{environment} when it cannot be made.
+void place_object(const std::filesystem::path& folder, const std::string& name,
+                  const std::filesystem::path& file);
+
 /// Whether `name` reads like that of an object.
 bool is_object_name(const std::string& name);
 

@@ -22,7 +22,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::array<std::string_view, 5> kKinds{"run", "reference", "parity", "verdict", "scene"};
+constexpr std::array<std::string_view, 7> kKinds{"run",   "reference", "parity", "verdict",
+                                                 "scene", "device",    "page"};
 
 /// Checked and repaired before anything is opened.
 fs::path prepared(const fs::path& folder, Database::Mode mode, std::vector<std::string>& warnings) {

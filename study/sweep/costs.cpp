@@ -1,13 +1,32 @@
 #include "study/sweep/costs.h"
 
+#include "core/hash.h"
 #include "core/statistics.h"
 #include "study/sweep/record.h"
+
+#include <fmt/format.h>
 
 namespace umbrameter {
 namespace {
 
+constexpr int kNewest = 400;  // entries a kind: medians of far fewer are steady
+
 double pixels_of(int width_px, int height_px) {
   return static_cast<double>(width_px) * static_cast<double>(height_px);
+}
+
+/// The newest entries of a kind, altered ones left out: a large store need not be read whole for a median.
+std::vector<std::string> newest(const Store& store, EntryKind kind) {
+  Database database(store.folder() / kStoreFile, Database::Mode::read);
+  Statement query = database.prepare(
+      fmt::format("SELECT json, hash FROM entries WHERE kind = ? ORDER BY rowid DESC LIMIT {}", kNewest));
+  query.bind({to_text(kind)});
+  std::vector<std::string> texts;
+  while (query.step()) {
+    std::string json = query.text(0);
+    if (hash_text(json) == query.text(1)) texts.push_back(std::move(json));
+  }
+  return texts;
 }
 
 }  // namespace
@@ -15,14 +34,14 @@ double pixels_of(int width_px, int height_px) {
 Costs costs_of(Store* store) {
   Costs costs;
   if (store == nullptr) return costs;
-  for (const Entry& entry : store->entries(EntryKind::run)) {
-    const auto run = parse_run_record(entry.json);
+  for (const std::string& json : newest(*store, EntryKind::run)) {
+    const auto run = parse_run_record(json);
     if (!run || run->result.failure) continue;
     costs.run_s_per_pixel[run->result.technique].push_back(
         run->head.duration_s / pixels_of(run->head.width_px, run->head.height_px));
   }
-  for (const Entry& entry : store->entries(EntryKind::reference)) {
-    const auto truth = parse_reference_record(entry.json);
+  for (const std::string& json : newest(*store, EntryKind::reference)) {
+    const auto truth = parse_reference_record(json);
     if (!truth) continue;
     const double samples =
         pixels_of(truth->head.width_px, truth->head.height_px) * truth->head.samples_per_pixel;

@@ -26,7 +26,7 @@ inline constexpr double kRoughRun_s = 0.3;             // compiling
 inline constexpr double kRoughRun_s_per_pixel = 4e-6;  // rendering and scoring
 inline constexpr double kRoughReference_s_per_sample = 2e-7;
 
-/// Of runs and truths that did not fail. `store` may be null.
+/// Of the newest runs and truths that did not fail. `store` may be null.
 Costs costs_of(Store* store);
 
 Estimate estimate_run(const Costs& costs, const std::string& technique, const PictureQuality& quality);

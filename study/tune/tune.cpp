@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 
 namespace umbrameter {
 namespace {
@@ -182,7 +183,20 @@ class Tuning {
     }
   }
 
+  /// Parameters whose levels were tried and made no difference.
+  void name_idle(const SearchResult& found) {
+    for (const AxisEffect& effect : found.effects) {
+      std::set<ParameterValue> tried;
+      for (const Trial& trial : found.trials) tried.insert(trial.values.at(effect.parameter));
+      if (tried.size() < 2 || effect.relative_spread >= kWorthChanging) continue;
+      result_.notes.push_back(
+          fmt::format("'{}' need not be tuned here: {} values change the objective by {:.2g} % at most",
+                      effect.parameter, tried.size(), 100.0 * effect.relative_spread));
+    }
+  }
+
   void explain(Judge& judge, const SearchResult& found) {
+    name_idle(found);
     const GoesOn goes_on = [is_up = time_is_up_after(1.0)] { return !is_up(); };
     result_.bias_sweeps = sweep_biases(studio_, judge, space_, plan_.objective, result_.best.values, goes_on);
     result_.sensitivities = measure_sensitivities(judge, space_, found, goes_on);

@@ -1,0 +1,34 @@
+#pragma once
+// The real-time renderer, whose device is known before it is opened (cli/device_memory.h).
+
+#include "cli/home.h"
+#include "cli/late_renderer.h"
+#include "study/store/late_store.h"
+
+#include <string>
+
+namespace umbrameter {
+
+class LateRealtime {
+ public:
+  /// Opens the device at once when its identity is not known.
+  LateRealtime(LateStore& store, const GlobalOptions& options, const Home& home);
+
+  const std::string& identity() const { return identity_; }
+  /// Error{environment} when it is opened and is another than was remembered.
+  Renderer& renderer() { return renderer_; }
+  /// Keeps the identity of a device that had to be opened.
+  void remember();
+
+ private:
+  std::unique_ptr<Renderer> open();
+
+  LateStore& store_;
+  const GlobalOptions& options_;
+  const Home& home_;
+  std::string identity_;  // empty: not known
+  bool is_new_ = false;
+  LateRenderer renderer_;
+};
+
+}  // namespace umbrameter

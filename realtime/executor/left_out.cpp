@@ -1,0 +1,46 @@
+#include "realtime/executor/left_out.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace umbrameter {
+namespace {
+
+constexpr double kMiB = 1024.0 * 1024.0;
+
+void add_passes(const std::vector<PassDeclaration>& passes, const Plan& plan,
+                std::vector<std::string>& names) {
+  for (const PassDeclaration& pass : passes) {
+    if (pass.kind == "loop") {
+      add_passes(pass.body, plan, names);
+      continue;
+    }
+    const bool is_drawn = std::ranges::any_of(
+        plan.passes, [&](const PreparedPass& prepared) { return prepared.declaration == &pass; });
+    if (!is_drawn) names.push_back("pass " + pass.id);
+  }
+}
+
+/// Of the first level; 0 when the parameters give it no size.
+double bytes_of(const ResourceDeclaration& resource, const ExpressionVariables& variables) {
+  const double texels = evaluate_expression(resource.width.text, variables, resource.width.where) *
+                        evaluate_expression(resource.height.text, variables, resource.height.where);
+  const double bytes = texels * find_texture_format(resource.format, resource.where).bytes_per_texel;
+  return std::isfinite(bytes) ? std::max(bytes, 0.0) : 0.0;
+}
+
+}  // namespace
+
+std::vector<std::string> left_out(const RunInputs& inputs, const Plan& plan) {
+  std::vector<std::string> names;
+  add_passes(inputs.technique.passes, plan, names);
+  const ExpressionVariables variables = run_variables(inputs);
+  for (const ResourceDeclaration& resource : inputs.technique.resources) {
+    if (plan.targets->find(resource.name) != nullptr) continue;
+    names.push_back(
+        fmt::format("texture {} ({:.2f} MiB)", resource.name, bytes_of(resource, variables) / kMiB));
+  }
+  return names;
+}
+
+}  // namespace umbrameter
