@@ -57,6 +57,7 @@ int render_reference(const ReferenceOptions& options, const GlobalOptions& globa
   add_metadata(frame, job.scene, request);
   write_exr(file.staged(), frame.image);
   file.publish();
+  for (const std::string& warning : frame.warnings) print_warning(warning);
   const RayBudget budget = ray_budget(frame.image);
   std::optional<ExactCheck> check;
   if (options.exact_check > 0) {
