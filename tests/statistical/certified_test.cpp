@@ -31,11 +31,11 @@ SceneSearch search() {
 ExactComparison check(const Certified& what, uint64_t seed) {
   const Scene scene = load_scene(search().library / (what.scene + ".toml"), search());
   RenderRequest request;
-  request.width_px = 240;
-  request.height_px = 135;
+  request.width_px = 192;
+  request.height_px = 108;
   request.seed = seed;
   SilentProgress progress;
-  const Frame frame = make_reference_renderer({1 << 13, 0.006})->render(scene, request, progress);
+  const Frame frame = make_reference_renderer({1 << 12, 0.01})->render(scene, request, progress);
   request.seed = ~seed;
   const Frame pilot = make_reference_renderer({64, {}})->render(scene, request, progress);
   const std::vector<size_t> pixels = draw_check_pixels(pilot.image, what.points, seed);
@@ -49,9 +49,11 @@ ExactAgreement expect_certified(const std::vector<Certified>& scenes, uint64_t f
     const ExactComparison c = check(what, first_seed++);
     const ExactAgreement& p = c.penumbra;
     const double z = p.mean_error / p.mean_error_noise;
-    std::cout << fmt::format("{:22} {:4} points: {:.1f} % covered, mean z {:+.2f}\n", what.scene, p.points,
-                             100.0 * p.coverage(), z);
+    std::cout << fmt::format("{:22} {:4} points: {:.1f} % covered, mean z {:+.2f}, RMS error {:.2f} of stated\n", what.scene, p.points,
+                             100.0 * p.coverage(), z, p.rms_error / p.rms_se);
     EXPECT_LT(std::abs(z), 3.0) << what.scene;
+    // Rays that left too high above thin steps once erred by ten standard errors in one point of a hundred.
+    EXPECT_LT(p.rms_error, 1.25 * p.rms_se) << what.scene;
     EXPECT_EQ(c.others_wrong, 0u) << what.scene;
     all.points += p.points;
     all.covered += p.covered;
@@ -76,7 +78,7 @@ TEST(Certified, intervals_hold_the_exact_answer_in_real_scenes) {
                                                {"assets/dragon", 200},
                                                {"assets/crytek_sponza", 300},
                                                {"assets/desk_fan", 300},
-                                               {"assets/hair", 24}},
+                                               {"assets/hair", 16}},
                                               200);
   EXPECT_GT(all.points, 700u);
   EXPECT_NEAR(all.coverage(), 0.95, 0.02);
