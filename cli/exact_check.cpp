@@ -11,8 +11,8 @@ namespace umbrameter {
 namespace {
 
 std::string describe(const CheckedPoint& point) {
-  return fmt::format("pixel ({}, {}): {:.6f} where {:.6f} is true, standard error {:.6f}", point.x_px, point.y_px,
-                     point.visibility, point.exact(), point.visibility_se);
+  return fmt::format("pixel ({}, {}): {:.6f} where {:.6f} is true, standard error {:.6f}", point.x_px,
+                     point.y_px, point.visibility, point.exact(), point.visibility_se);
 }
 
 nlohmann::json to_json(const CheckedPoint& point) {
@@ -27,13 +27,12 @@ nlohmann::json to_json(const CheckedPoint& point) {
 
 }  // namespace
 
-ExactCheck run_exact_check(const Scene& scene, const Image& reference, const RenderRequest& request, size_t count,
-                           int threads, Progress& progress) {
+ExactCheck run_exact_check(const Scene& scene, const Image& reference, const RenderRequest& request,
+                           size_t count, int threads, Progress& progress) {
   // Strata from the picture under test would choose points by their errors; another seed's owe it nothing.
   RenderRequest pilot = request;
   pilot.seed = ~request.seed;
-  const Frame frame =
-      make_reference_renderer({64, {}, threads})->render(scene, pilot, progress);
+  const Frame frame = make_reference_renderer({64, {}, threads})->render(scene, pilot, progress);
   ExactCheck check;
   const std::vector<size_t> pixels = draw_check_pixels(frame.image, count, request.seed);
   const std::clock_t start = std::clock();
@@ -50,12 +49,14 @@ std::string describe(const ExactCheck& check) {
       fmt::format("exact check: {} points in {:.1f} CPU s\n", check.points.size(), check.cpu_time_s);
   if (p.points > 0) {
     text += fmt::format(
-        "  {} in the penumbra: {:.1f} % inside their 95 % interval; mean error {:+.6f} (noise {:.6f}), RMS error "
+        "  {} in the penumbra: {:.1f} % inside their 95 % interval; mean error {:+.6f} (noise {:.6f}), RMS "
+        "error "
         "{:.6f} (stated {:.6f})\n",
         p.points, 100.0 * p.coverage(), p.mean_error, p.mean_error_noise, p.rms_error, p.rms_se);
   }
   text += fmt::format("  {} others: {} wrong\n", c.others, c.others_wrong);
-  if (c.irradiance_rms_error) text += fmt::format("  irradiance ratio: RMS error {:.6f}\n", *c.irradiance_rms_error);
+  if (c.irradiance_rms_error)
+    text += fmt::format("  irradiance ratio: RMS error {:.6f}\n", *c.irradiance_rms_error);
   if (c.worst) text += fmt::format("  worst, {}\n", describe(*c.worst));
   return text;
 }

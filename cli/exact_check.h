@@ -17,8 +17,8 @@ struct ExactCheck {
 };
 
 /// Compares `reference`, rendered to `request`, with the exact oracle at `count` of its pixels.
-ExactCheck run_exact_check(const Scene& scene, const Image& reference, const RenderRequest& request, size_t count,
-                           int threads, Progress& progress);
+ExactCheck run_exact_check(const Scene& scene, const Image& reference, const RenderRequest& request,
+                           size_t count, int threads, Progress& progress);
 
 std::string describe(const ExactCheck& check);
 nlohmann::json to_json(const ExactCheck& check);

@@ -66,16 +66,16 @@ int render_reference(const ReferenceOptions& options, const GlobalOptions& globa
   }
   if (global.json) {
     nlohmann::ordered_json json{{"file", file.target().string()},
-                {"scene", job.name},
-                {"scene_hash", job.scene.hash},
-                {"width_px", request.width_px},
-                {"height_px", request.height_px},
-                {"seed", request.seed},
-                {"samples_per_pixel", quality.samples_per_pixel},
-                {"device", frame.device},
-                {"rays", to_json(budget)},
-                {"memory_bytes", frame.memory_bytes},
-                {"wall_time_s", frame.wall_time_s}};
+                                {"scene", job.name},
+                                {"scene_hash", job.scene.hash},
+                                {"width_px", request.width_px},
+                                {"height_px", request.height_px},
+                                {"seed", request.seed},
+                                {"samples_per_pixel", quality.samples_per_pixel},
+                                {"device", frame.device},
+                                {"rays", to_json(budget)},
+                                {"memory_bytes", frame.memory_bytes},
+                                {"wall_time_s", frame.wall_time_s}};
     if (check) json["exact_check"] = to_json(*check);
     print_json(json);
     return kExitFine;
@@ -98,8 +98,9 @@ void add_reference(CLI::App& app, CommandLine& line) {
   verb->add_option("scene", options->scene, "library name or scene file")->required();
   add_quality_options(*verb, options->quality);
   verb->add_flag("--no-skip", options->no_skip, "shoot rays even where the answer is proven; same picture");
-  verb->add_option("--exact-check", options->exact_check,
-                   "compare with exact arithmetic at this many pixels, three quarters of them in the penumbra")
+  verb->add_option(
+          "--exact-check", options->exact_check,
+          "compare with exact arithmetic at this many pixels, three quarters of them in the penumbra")
       ->check(CLI::Range(int64_t{1}, int64_t{1000000}));
   verb->callback(
       [options, &line] { line.verb = [options, &line] { return render_reference(*options, line.global); }; });

@@ -57,8 +57,9 @@ glm::dvec3 to_center_of(const Light& light, const glm::dvec3& p_world) {
 
 }  // namespace
 
-glm::vec3 shadow_ray_origin(const glm::dvec3& p_world, const glm::dvec3& n_world, const glm::dvec3& to_light_world,
-                            const glm::dvec3& a_world, const glm::dvec3& b_world, const glm::dvec3& c_world) {
+glm::vec3 shadow_ray_origin(const glm::dvec3& p_world, const glm::dvec3& n_world,
+                            const glm::dvec3& to_light_world, const glm::dvec3& a_world,
+                            const glm::dvec3& b_world, const glm::dvec3& c_world) {
   // Embree computes the distance from dot(a - origin, normal) with the normal from a cross product of edges.
   // The product's error grows with the reach of the triangle and with how thin it is; slivers are capped.
   constexpr double kRoundoffs = 8.0;

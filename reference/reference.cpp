@@ -64,9 +64,9 @@ void warn_of_rounding(const Scene& scene, std::vector<std::string>& warnings) {
   const double extent = extent_of(scene);
   const double rounding = extent * 0x1p-24;
   if (rounding <= kNoticeable * scene.bounds_world.diagonal()) return;
-  warnings.push_back(
-      fmt::format("the scene reaches {:.3g} from the origin but is only {:.3g} wide: its vertices are rounded to {:.2g}",
-                  extent, scene.bounds_world.diagonal(), rounding));
+  warnings.push_back(fmt::format(
+      "the scene reaches {:.3g} from the origin but is only {:.3g} wide: its vertices are rounded to {:.2g}",
+      extent, scene.bounds_world.diagonal(), rounding));
 }
 
 int tiles_across(int side_px) {

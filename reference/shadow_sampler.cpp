@@ -39,6 +39,27 @@ class Tracer {
   std::array<typename ShadowPacket<Width>::Ray, kPackets> packets_;
 };
 
+template <>
+class Tracer<8> {
+ public:
+  Tracer(const EmbreeScene& embree, const ShadowRayBatch& batch)
+      : scene_(embree.handle()), packets_{slice<8>(batch.rays, 0), slice<8>(batch.rays, 8)} {
+    rtcInitIntersectContext(&context_);
+    context_.flags = embree.packet_flags();
+  }
+  void trace(ShadowRayBatch& batch) {
+    to_packets_of_8(batch, packets_);
+    rtcOccluded8(&batch.is_facing[0], scene_, &context_, &packets_[0]);
+    rtcOccluded8(&batch.is_facing[8], scene_, &context_, &packets_[1]);
+    from_packets_of_8(packets_, batch);
+  }
+
+ private:
+  RTCScene scene_;
+  RTCIntersectContext context_;
+  std::array<RTCRay8, 2> packets_;
+};
+
 /// The batch is a packet already.
 template <>
 class Tracer<16> {
@@ -124,8 +145,8 @@ PixelEstimate estimate_pixel(const PixelSums& a, const PixelSums& b) {
   double squares = 0.0;
   for (const double mean : means) squares += (mean - estimate.visibility) * (mean - estimate.visibility);
   estimate.sample_count = kHalf * (a.points + b.points);
-  estimate.visibility_se = std::max(least_error(estimate.sample_count),
-                                    std::sqrt(squares / (kReplicates * (kReplicates - 1))));
+  estimate.visibility_se =
+      std::max(least_error(estimate.sample_count), std::sqrt(squares / (kReplicates * (kReplicates - 1))));
   estimate.irradiance_ratio = weight > 0.0 ? weight_seen / weight : 0.0;
   return estimate;
 }

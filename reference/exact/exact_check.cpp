@@ -32,7 +32,8 @@ ExactReceiver receiver_at(const Scene& scene, const Image& reference, size_t pix
   const auto triangle = static_cast<uint32_t>(reference.plane("primitive_id")[pixel]);
   const glm::dvec2 p_px(static_cast<double>(pixel % static_cast<size_t>(reference.width)) + 0.5,
                         static_cast<double>(pixel / static_cast<size_t>(reference.width)) + 0.5);
-  const glm::dvec3 d_world = camera_ray_direction_world(scene.camera, p_px, reference.width, reference.height);
+  const glm::dvec3 d_world =
+      camera_ray_direction_world(scene.camera, p_px, reference.width, reference.height);
   glm::dvec3 n_world = triangle_normal_world(scene, triangle);
   if (glm::dot(n_world, d_world) > 0.0) n_world = -n_world;
   const glm::dvec3 corner = scene.positions_world[scene.triangles[triangle].x];
@@ -43,8 +44,7 @@ ExactReceiver receiver_at(const Scene& scene, const Image& reference, size_t pix
 
 CheckedPoint check_pixel(const TriangleTree& tree, const Image& reference, size_t pixel) {
   constexpr double kLift = 1e-12;
-  const ExactReceiver receiver =
-      receiver_at(tree.scene(), reference, pixel, kLift * tree.extent_world());
+  const ExactReceiver receiver = receiver_at(tree.scene(), reference, pixel, kLift * tree.extent_world());
   const ExactLight exact = exact_light(tree, receiver, tree.scene().light());
   CheckedPoint point;
   point.x_px = static_cast<int>(pixel % static_cast<size_t>(reference.width));

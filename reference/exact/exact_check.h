@@ -52,7 +52,8 @@ struct ExactComparison {
   ExactAgreement penumbra;
   size_t others = 0;        // points that see all of the light or nothing
   size_t others_wrong = 0;  // whose interval does not hold that
-  std::optional<CheckedPoint> worst;  // the greatest error, in standard errors; a wrong proof before all others
+  std::optional<CheckedPoint>
+      worst;  // the greatest error, in standard errors; a wrong proof before all others
   std::optional<double> irradiance_rms_error;
 };
 ExactComparison compare_with_exact(std::span<const CheckedPoint> points);

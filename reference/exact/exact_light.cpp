@@ -143,7 +143,8 @@ double area_of(const LoopEdges::Region& region) {
 
 /// Lambert: twice the irradiance from a polygon of unit radiance is the sum over its edges of angle x (unit normal of
 /// the edge's triangle with the receiver) . n. The sign is that of the region's turn.
-double irradiance_of(const LoopEdges::Region& region, const PolygonLight& light, const ExactReceiver& receiver) {
+double irradiance_of(const LoopEdges::Region& region, const PolygonLight& light,
+                     const ExactReceiver& receiver) {
   const auto to_point = [&](const glm::dvec2& q) {
     return light.center_world + light.tangent_world * q.x + light.bitangent_world * q.y - receiver.p_world;
   };
@@ -152,7 +153,8 @@ double irradiance_of(const LoopEdges::Region& region, const PolygonLight& light,
     const glm::dvec3 a = to_point(from), b = to_point(to);
     const glm::dvec3 n = glm::cross(a, b);
     const double length = glm::length(n);
-    if (length > 0.0) sum += std::atan2(length, glm::dot(a, b)) * glm::dot(n, receiver.n_shading_world) / length;
+    if (length > 0.0)
+      sum += std::atan2(length, glm::dot(a, b)) * glm::dot(n, receiver.n_shading_world) / length;
   }
   return 0.5 * sum;
 }

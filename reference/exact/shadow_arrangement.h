@@ -9,10 +9,10 @@ namespace umbrameter::exact {
 
 /// How often a loop, or a region, is wound around by each kind of outline.
 struct Winding {
-  int shadow = 0;      // of triangles
-  int below = 0;       // the geometric horizon
-  int unlit = 0;       // the shading normal's horizon
-  int inside = 0;      // the light's inner polygon
+  int shadow = 0;  // of triangles
+  int below = 0;   // the geometric horizon
+  int unlit = 0;   // the shading normal's horizon
+  int inside = 0;  // the light's inner polygon
   int inside_outer = 0;
   friend bool operator==(const Winding&, const Winding&) = default;
 };

@@ -97,9 +97,8 @@ void TriangleTree::build(uint32_t first, uint32_t count) {
   if (size.z > size[axis]) axis = 2;
   const uint32_t half = count / 2;
   const auto begin = order_.begin() + first;
-  std::nth_element(begin, begin + half, begin + count, [&](uint32_t a, uint32_t b) {
-    return middle(scene_, a)[axis] < middle(scene_, b)[axis];
-  });
+  std::nth_element(begin, begin + half, begin + count,
+                   [&](uint32_t a, uint32_t b) { return middle(scene_, a)[axis] < middle(scene_, b)[axis]; });
   build(first, half);
   nodes_[node].first = static_cast<uint32_t>(nodes_.size());
   nodes_[node].count = 0;

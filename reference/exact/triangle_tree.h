@@ -33,7 +33,8 @@ class TriangleTree {
  private:
   struct Node {
     std::array<float, 3> min, max;
-    uint32_t first = 0;  // a leaf's triangles in order_, an inner node's second child; its first child is next
+    uint32_t first =
+        0;  // a leaf's triangles in order_, an inner node's second child; its first child is next
     uint32_t count = 0;  // 0: an inner node
   };
   void build(uint32_t first, uint32_t count);

@@ -49,8 +49,9 @@ ExactAgreement expect_certified(const std::vector<Certified>& scenes, uint64_t f
     const ExactComparison c = check(what, first_seed++);
     const ExactAgreement& p = c.penumbra;
     const double z = p.mean_error / p.mean_error_noise;
-    std::cout << fmt::format("{:22} {:4} points: {:.1f} % covered, mean z {:+.2f}, RMS error {:.2f} of stated\n", what.scene, p.points,
-                             100.0 * p.coverage(), z, p.rms_error / p.rms_se);
+    std::cout << fmt::format(
+        "{:22} {:4} points: {:.1f} % covered, mean z {:+.2f}, RMS error {:.2f} of stated\n", what.scene,
+        p.points, 100.0 * p.coverage(), z, p.rms_error / p.rms_se);
     EXPECT_LT(std::abs(z), 3.0) << what.scene;
     // Rays that left too high above thin steps once erred by ten standard errors in one point of a hundred.
     EXPECT_LT(p.rms_error, 1.25 * p.rms_se) << what.scene;

@@ -72,8 +72,10 @@ TEST(Coverage, of_the_interval_is_95_percent_where_sampling_stops_by_itself) {
 double joined_z(const KnownScene& known, int pictures, uint64_t first_seed) {
   Coverage all;
   for (int i = 0; i < pictures; ++i) {
-    const ReferencePicture picture{
-        .side_px = 48, .samples_per_pixel = 1 << 14, .seed = first_seed + static_cast<uint64_t>(i), .target_se = 0.004};
+    const ReferencePicture picture{.side_px = 48,
+                                   .samples_per_pixel = 1 << 14,
+                                   .seed = first_seed + static_cast<uint64_t>(i),
+                                   .target_se = 0.004};
     const Coverage c = coverage_of(known, picture);
     all.error_sum += c.error_sum;
     all.variance_sum += c.variance_sum;

@@ -64,8 +64,8 @@ Scene hostile_scene(uint32_t seed, double highest) {
 }
 
 PolygonLight polygon_of(const Light& light) {
-  return rectangle_light(light.center_world, light.tangent_world, light.bitangent_world, light.direction_world,
-                         light.size_world);
+  return rectangle_light(light.center_world, light.tangent_world, light.bitangent_world,
+                         light.direction_world, light.size_world);
 }
 
 void expect_equal_to_union(uint32_t seed, double highest, double tolerance) {
@@ -99,8 +99,10 @@ TEST(ExactLight, leaves_out_no_more_than_a_millionth_before_the_light) {
 
 TEST(ExactLight, brackets_round_lights_tightly) {
   const std::vector<std::pair<Light, std::function<double(const glm::dvec3&)>>> known{
-      {disk_light_above({0, kLightHeight, 0}, 0.5), [](const glm::dvec3& p) { return half_plane_disk(p.x, 0.5); }},
-      {sphere_light({0, kLightHeight, 0}, 0.5), [](const glm::dvec3& p) { return half_plane_sphere(p, 0.5); }},
+      {disk_light_above({0, kLightHeight, 0}, 0.5),
+       [](const glm::dvec3& p) { return half_plane_disk(p.x, 0.5); }},
+      {sphere_light({0, kLightHeight, 0}, 0.5),
+       [](const glm::dvec3& p) { return half_plane_sphere(p, 0.5); }},
       {sun_light({0, 1, 0}, 0.1), [](const glm::dvec3& p) { return half_plane_sun(p.x, 0.1); }}};
   for (const auto& [light, visibility] : known) {
     Scene scene = floor_under(light, 0.4);
@@ -139,7 +141,8 @@ TEST(ExactLight, a_lamps_own_panel_does_not_hide_it) {
   add_floor(scene, {2, 2}, kLightHeight);
   finish_scene(scene);
   const TriangleTree tree(scene);
-  EXPECT_DOUBLE_EQ(exact_light(tree, {{0.1, 1e-12, 0}, {0, 1, 0}, {0, 1, 0}}, scene.light()).visibility(), 1.0);
+  EXPECT_DOUBLE_EQ(exact_light(tree, {{0.1, 1e-12, 0}, {0, 1, 0}, {0, 1, 0}}, scene.light()).visibility(),
+                   1.0);
 }
 
 TEST(TriangleTree, finds_every_triangle_that_has_a_corner_inside) {

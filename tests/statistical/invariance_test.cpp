@@ -39,7 +39,8 @@ double rms_of(std::span<const float> values) {
 
 double rms_difference(const Frame& a, const Frame& b) {
   std::vector<float> difference(a.image.pixel_count());
-  std::ranges::transform(a.image.plane("visibility"), b.image.plane("visibility"), difference.begin(), std::minus<>());
+  std::ranges::transform(a.image.plane("visibility"), b.image.plane("visibility"), difference.begin(),
+                         std::minus<>());
   return rms_of(difference);
 }
 
@@ -75,7 +76,8 @@ Scene mirrored_scene(const Scene& scene) {
   light.center_world = mirrored(light.center_world);
   light.direction_world = mirrored(light.direction_world);
   light.bitangent_world = mirrored(light.bitangent_world);
-  light.tangent_world = glm::cross(light.bitangent_world, light.direction_world);  // the frame stays right-handed
+  light.tangent_world =
+      glm::cross(light.bitangent_world, light.direction_world);  // the frame stays right-handed
   finish_scene(mirror);
   return mirror;
 }
@@ -98,7 +100,8 @@ TEST(Invariance, cutting_triangles_up_does_not_matter) {
     const Scene scene = furnished_scene(light);
     const Frame plain = render_reference(scene);
     const Frame split = render_reference(split_scene(split_scene(scene)));
-    EXPECT_LT(rms_difference(plain, split), 0.5 * rms_of(plain.image.plane("visibility_se"))) << to_text(light.type);
+    EXPECT_LT(rms_difference(plain, split), 0.5 * rms_of(plain.image.plane("visibility_se")))
+        << to_text(light.type);
   }
 }
 
@@ -128,7 +131,8 @@ TEST(Invariance, far_from_the_origin_shadows_get_coarse_but_stay_and_the_picture
   const Frame near = render_reference(scene);
   EXPECT_THAT(near.warnings, testing::IsEmpty());
   const auto moved = [&](double offset) {
-    return render_reference(moved_scene(scene, glm::translate(glm::dmat4(1.0), glm::dvec3(offset, offset, -offset))));
+    return render_reference(
+        moved_scene(scene, glm::translate(glm::dmat4(1.0), glm::dvec3(offset, offset, -offset))));
   };
   // At 1e5 corners are rounded by up to 0.006, less than a hundredth of any solid here.
   const Frame far = moved(1e5);
@@ -140,7 +144,8 @@ TEST(Invariance, far_from_the_origin_shadows_get_coarse_but_stay_and_the_picture
 
 /// How far p's tangent plane is from the light: at least 1 = all of it is above, at most -1 = all below.
 double clearance(const Light& light, const glm::dvec3& p, const glm::dvec3& n) {
-  if (light.type == LightType::sun) return -glm::dot(n, light.direction_world) / std::sin(light.half_angle_rad);
+  if (light.type == LightType::sun)
+    return -glm::dot(n, light.direction_world) / std::sin(light.half_angle_rad);
   const double radius =
       light.type == LightType::rect ? 0.5 * glm::length(light.size_world) : light.radius_world;
   return glm::dot(n, light.center_world - p) / radius;
@@ -169,11 +174,25 @@ glm::dmat4 tilted_and_moved(const glm::dvec3& offset) {
 
 TEST(Invariance, no_convex_solid_shadows_itself_under_any_light) {
   const std::vector<std::pair<std::string, std::function<void(Scene&)>>> solids{
-      {"cube", [](Scene& s) { add_box(s, {-0.7, -0.7, -0.7}, {0.7, 0.7, 0.7}); }},
-      {"plate", [](Scene& s) { add_box(s, {-1, -0.005, -1}, {1, 0.005, 1}); }},
-      {"needle", [](Scene& s) { add_box(s, {-0.3, -1, -0.3}, {0.3, 1, 0.3}); }},
-      {"ball", [](Scene& s) { add_sphere(s, {0, 0, 0}, 1.0, 64); }},
-      {"octahedron", [](Scene& s) { add_sphere(s, {0, 0, 0}, 1.0, 2); }}};
+      {"cube",
+       [](Scene& s) {
+         add_box(s, {-0.7, -0.7, -0.7}, {0.7, 0.7, 0.7});
+       }},
+      {"plate",
+       [](Scene& s) {
+         add_box(s, {-1, -0.005, -1}, {1, 0.005, 1});
+       }},
+      {"needle",
+       [](Scene& s) {
+         add_box(s, {-0.3, -1, -0.3}, {0.3, 1, 0.3});
+       }},
+      {"ball",
+       [](Scene& s) {
+         add_sphere(s, {0, 0, 0}, 1.0, 64);
+       }},
+      {"octahedron", [](Scene& s) {
+         add_sphere(s, {0, 0, 0}, 1.0, 2);
+       }}};
   for (const auto& [name, add_solid] : solids) {
     for (const Light& light : one_of_each({0.4, 3, 0.3})) {
       Scene scene;
@@ -193,9 +212,17 @@ TEST(Invariance, no_convex_solid_shadows_itself_under_any_light) {
 
 TEST(Invariance, no_closed_solid_lets_any_light_in) {
   const std::vector<std::pair<std::string, std::function<void(Scene&)>>> solids{
-      {"box", [](Scene& s) { add_box(s, {-1, -1, -1}, {1, 1, 1}); }},
-      {"ball", [](Scene& s) { add_sphere(s, {0, 0, 0}, 1.0, 64); }},
-      {"octahedron", [](Scene& s) { add_sphere(s, {0, 0, 0}, 1.2, 2); }}};
+      {"box",
+       [](Scene& s) {
+         add_box(s, {-1, -1, -1}, {1, 1, 1});
+       }},
+      {"ball",
+       [](Scene& s) {
+         add_sphere(s, {0, 0, 0}, 1.0, 64);
+       }},
+      {"octahedron", [](Scene& s) {
+         add_sphere(s, {0, 0, 0}, 1.2, 2);
+       }}};
   for (const auto& [name, add_solid] : solids) {
     for (const Light& light : one_of_each({0.4, 2, 0.3})) {
       Scene scene;
