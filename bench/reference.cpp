@@ -1,8 +1,12 @@
 // What the integrator costs over Embree itself: the same shadow rays, once made, traced and summed by the
-// reference, once recorded and only traced. One thread. Prints the ratio of the rates at the end.
-//   bench_reference [SCENE.toml [ASSETS]] [--benchmark_...]      without a scene: columns and spheres
+// reference, once recorded and only traced, on one and on two threads; rates are per second of processor time, the best of
+// the repetitions counts. Prints at the end the ratio of the rates, how a
+// whole picture scales from one thread to two, and the memory of all beside that of Embree's own tree and mesh.
+//   bench_reference [SCENE.toml [ASSETS]] [--benchmark_repetitions=5 ...]      without a scene: columns and spheres
 
+#include "reference/reference.h"
 #include "reference/embree_scene.h"
+#include "reference/occluder_tree.h"
 #include "reference/primary_hit.h"
 #include "reference/shadow_packet.h"
 #include "reference/shadow_sampler.h"
@@ -16,6 +20,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <map>
 #include <memory>
 #include <utility>
 
@@ -181,12 +186,13 @@ void raw_single(benchmark::State& state) {
   report_rate(state);
 }
 
-BENCHMARK(integrator)->Unit(benchmark::kMillisecond);
-BENCHMARK(ray_making)->Unit(benchmark::kMillisecond);
-BENCHMARK(raw_single)->Unit(benchmark::kMillisecond);
-BENCHMARK_TEMPLATE(raw_packets, 4)->ArgName("coherent")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
-BENCHMARK_TEMPLATE(raw_packets, 8)->ArgName("coherent")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
-BENCHMARK_TEMPLATE(raw_packets, 16)->ArgName("coherent")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+#define UMBRAMETER_ON_ONE_AND_TWO(bench) bench->Threads(1)->Threads(2)->Unit(benchmark::kMillisecond)
+UMBRAMETER_ON_ONE_AND_TWO(BENCHMARK(integrator));
+UMBRAMETER_ON_ONE_AND_TWO(BENCHMARK(ray_making));
+UMBRAMETER_ON_ONE_AND_TWO(BENCHMARK(raw_single));
+UMBRAMETER_ON_ONE_AND_TWO(BENCHMARK_TEMPLATE(raw_packets, 4)->ArgName("coherent")->Arg(0)->Arg(1));
+UMBRAMETER_ON_ONE_AND_TWO(BENCHMARK_TEMPLATE(raw_packets, 8)->ArgName("coherent")->Arg(0)->Arg(1));
+UMBRAMETER_ON_ONE_AND_TWO(BENCHMARK_TEMPLATE(raw_packets, 16)->ArgName("coherent")->Arg(0)->Arg(1));
 
 /// Keeps the fastest run of each benchmark.
 class BestRates final : public benchmark::ConsoleReporter {
@@ -196,23 +202,65 @@ class BestRates final : public benchmark::ConsoleReporter {
     for (const Run& run : runs) {
       const auto rate = run.counters.find("Mrays/s");
       if (rate == run.counters.end() || run.run_type != Run::RT_Iteration) continue;
-      double& best = run.run_name.function_name == "integrator" ? integrator_ : raw_of(run);
-      best = std::max(best, rate->second.value);
+      const std::string& name = run.run_name.function_name;
+      Rates& best = by_threads_[run.threads];
+      if (name == "integrator") best.integrator = std::max(best.integrator, rate->second.value);
+      if (name.starts_with("raw")) best.raw = std::max(best.raw, rate->second.value);
     }
   }
-  void print_ratio() const {
-    if (integrator_ > 0.0 && raw_ > 0.0) {
-      std::printf("integrator / best raw Embree rate: %.2f / %.2f Mrays/s = %.3f\n", integrator_, raw_,
-                  integrator_ / raw_);
+  void print_ratios() const {
+    for (const auto& [threads, best] : by_threads_) {
+      if (!(best.integrator > 0.0 && best.raw > 0.0)) continue;
+      std::printf("%ld thread(s): integrator / best raw Embree rate: %.2f / %.2f Mrays/s = %.3f\n",
+                  static_cast<long>(threads), best.integrator, best.raw, best.integrator / best.raw);
     }
   }
 
  private:
-  double& raw_of(const Run& run) { return run.run_name.function_name.starts_with("raw") ? raw_ : ignored_; }
-  double integrator_ = 0.0;
-  double raw_ = 0.0;
-  double ignored_ = 0.0;
+  struct Rates {
+    double integrator = 0.0;
+    double raw = 0.0;
+  };
+  std::map<int64_t, Rates> by_threads_;
 };
+
+double frame_seconds(int threads) {
+  const auto renderer = make_reference_renderer({256, {}, threads});
+  SilentProgress progress;
+  RenderRequest request;
+  request.width_px = request.height_px = 1;
+  renderer->render(work().scene, request, progress);  // builds the scene
+  request.width_px = 320;
+  request.height_px = 180;
+  return renderer->render(work().scene, request, progress).wall_time_s;
+}
+
+void print_scaling() {
+  const double one_s = frame_seconds(1), two_s = frame_seconds(2);
+  std::printf("320 x 180 px, 256 samples: %.3f s on one thread, %.3f s on two: efficiency %.2f\n", one_s,
+              two_s, one_s / (2.0 * two_s));
+}
+
+template <class T>
+uint64_t bytes_of(const std::vector<T>& items) {
+  return items.capacity() * sizeof(T);
+}
+
+/// What the reference holds while it renders, over what Embree alone does.
+void print_memory() {
+  const Scene& scene = work().scene;
+  EmbreeScene embree;
+  embree.load(scene);
+  const uint64_t alone = embree.memory_bytes();
+  OccluderTree occluders;
+  occluders.build(embree, scene);
+  const uint64_t all = embree.memory_bytes() + bytes_of(scene.positions_world) +
+                       bytes_of(scene.normals_world) + bytes_of(scene.triangles);
+  std::printf(
+      "%zu triangles: Embree's tree and mesh %.1f MB, with our tree and scene %.1f MB: %.2f times as much\n",
+      scene.triangles.size(), 1e-6 * static_cast<double>(alone), 1e-6 * static_cast<double>(all),
+      static_cast<double>(all) / static_cast<double>(alone));
+}
 
 }  // namespace
 }  // namespace umbrameter
@@ -225,6 +273,8 @@ int main(int argc, char** argv) {
                                                                    : umbrameter::make_bench_scene());
   umbrameter::BestRates rates;
   benchmark::RunSpecifiedBenchmarks(&rates);
-  rates.print_ratio();
+  rates.print_ratios();
+  umbrameter::print_scaling();
+  umbrameter::print_memory();
   benchmark::Shutdown();
 }

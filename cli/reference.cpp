@@ -1,6 +1,7 @@
 #include "reference/reference.h"
 
 #include "cli/console.h"
+#include "cli/exact_check.h"
 #include "cli/home.h"
 #include "cli/progress_bar.h"
 #include "cli/quality.h"
@@ -19,6 +20,7 @@ struct ReferenceOptions {
   std::string scene;
   QualityOptions quality;
   bool no_skip = false;
+  int64_t exact_check = 0;  // points
 };
 
 nlohmann::json to_json(const RayBudget& budget) {
@@ -55,25 +57,34 @@ int render_reference(const ReferenceOptions& options, const GlobalOptions& globa
   add_metadata(frame, job.scene, request);
   write_exr(file.staged(), frame.image);
   file.publish();
+  for (const std::string& warning : frame.warnings) print_warning(warning);
   const RayBudget budget = ray_budget(frame.image);
+  std::optional<ExactCheck> check;
+  if (options.exact_check > 0) {
+    check = run_exact_check(job.scene, frame.image, request, static_cast<size_t>(options.exact_check),
+                            global.threads, progress);
+  }
   if (global.json) {
-    print_json({{"file", file.target().string()},
-                {"scene", job.name},
-                {"scene_hash", job.scene.hash},
-                {"width_px", request.width_px},
-                {"height_px", request.height_px},
-                {"seed", request.seed},
-                {"samples_per_pixel", quality.samples_per_pixel},
-                {"device", frame.device},
-                {"rays", to_json(budget)},
-                {"memory_bytes", frame.memory_bytes},
-                {"wall_time_s", frame.wall_time_s}});
+    nlohmann::ordered_json json{{"file", file.target().string()},
+                                {"scene", job.name},
+                                {"scene_hash", job.scene.hash},
+                                {"width_px", request.width_px},
+                                {"height_px", request.height_px},
+                                {"seed", request.seed},
+                                {"samples_per_pixel", quality.samples_per_pixel},
+                                {"device", frame.device},
+                                {"rays", to_json(budget)},
+                                {"memory_bytes", frame.memory_bytes},
+                                {"wall_time_s", frame.wall_time_s}};
+    if (check) json["exact_check"] = to_json(*check);
+    print_json(json);
     return kExitFine;
   }
   print_answer(fmt::format("{}: {} x {} px of {} in {:.2f} s, seed {}, {}\n", file.target().string(),
                            request.width_px, request.height_px, job.name, frame.wall_time_s, request.seed,
                            frame.device));
   print_answer(describe(budget));
+  if (check) print_answer(describe(*check));
   return kExitFine;
 }
 
@@ -87,6 +98,10 @@ void add_reference(CLI::App& app, CommandLine& line) {
   verb->add_option("scene", options->scene, "library name or scene file")->required();
   add_quality_options(*verb, options->quality);
   verb->add_flag("--no-skip", options->no_skip, "shoot rays even where the answer is proven; same picture");
+  verb->add_option(
+          "--exact-check", options->exact_check,
+          "compare with exact arithmetic at this many pixels, three quarters of them in the penumbra")
+      ->check(CLI::Range(int64_t{1}, int64_t{1000000}));
   verb->callback(
       [options, &line] { line.verb = [options, &line] { return render_reference(*options, line.global); }; });
 }

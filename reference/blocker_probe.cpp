@@ -2,6 +2,8 @@
 
 #include "reference/reference.h"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -70,36 +72,77 @@ int64_t count_layers(std::span<const Crossing> crossings) {
   return std::max(towards, static_cast<int64_t>(crossings.size()) - towards);
 }
 
+/// How wide the light is, over its distance when it is the sun.
+double width_of(const Light& light) {
+  switch (light.type) {
+    case LightType::rect:
+      return std::sqrt(light.size_world.x * light.size_world.y);
+    case LightType::disk:
+    case LightType::sphere:
+      return 2.0 * light.radius_world;
+    case LightType::sun:
+      break;
+  }
+  return 2.0 * std::tan(light.half_angle_rad);
+}
+
+/// By similar triangles: the light's width, seen through a point at `fraction` of the way.
+double penumbra_width(const Light& light, double fraction, double length) {
+  const double spread = light.type == LightType::sun ? fraction * length : fraction / (1.0 - fraction);
+  return width_of(light) * spread;
+}
+
+/// What one blocked probe met first.
+struct Blocker {
+  double distance_world = 0.0;
+  double height_world = 0.0;  // over the receiver's plane
+  double penumbra_width_world = 0.0;
+  int64_t layers = 0;
+};
+
+BlockerStatistics statistics_of(std::vector<Blocker>& blockers) {
+  if (blockers.empty()) return {};
+  std::ranges::sort(blockers, {}, &Blocker::distance_world);
+  const auto n = static_cast<double>(blockers.size());
+  BlockerStatistics sum;
+  sum.distance_min_world = blockers.front().distance_world;
+  sum.distance_p10_world = blockers[static_cast<size_t>(std::ceil(0.1 * n)) - 1].distance_world;
+  sum.contact_distance_world = std::numeric_limits<double>::infinity();
+  for (const Blocker& blocker : blockers) {
+    sum.distance_mean_world += blocker.distance_world / n;
+    sum.layers_mean += static_cast<double>(blocker.layers) / n;
+    sum.penumbra_width_world += blocker.penumbra_width_world / n;
+    sum.contact_distance_world = std::min(sum.contact_distance_world, blocker.height_world);
+  }
+  return sum;
+}
+
 }  // namespace
 
-BlockerStatistics probe_blockers(const EmbreeScene& embree, const glm::vec3& origin_world,
-                                 const LightPatch& patch, const SampleSets& sets, uint32_t seed) {
-  ShadowRayBatch batch(origin_world);
+BlockerStatistics probe_blockers(const ProbeJob& job, const SampleSets& sets, uint32_t seed) {
+  ShadowRayBatch batch(job.origin_world);
   const uint32_t probes = std::min(kProbes, sets.points());
-  make_shadow_rays(patch, sets.stream(seed, kReplicates), 0, probes, batch);
+  make_shadow_rays(job.patch, sets.stream(seed, kReplicates), 0, probes, batch);
   CollectingContext context;
   rtcInitIntersectContext(&context.embree);
   context.embree.filter = collect_crossing;
 
-  BlockerStatistics sum;
-  double nearest = std::numeric_limits<double>::infinity();
-  int blocked = 0;
+  std::vector<Blocker> blockers;
+  blockers.reserve(probes);
   for (uint32_t i = 0; i < probes; ++i) {
     if (batch.is_facing[i] == 0) continue;
     RTCRay ray = ray_of_lane(batch.rays, i);
     context.crossings.clear();
-    rtcOccluded1(embree.handle(), &context.embree, &ray);
+    rtcOccluded1(job.embree.handle(), &context.embree, &ray);
     merge_crossings(context.crossings);
     if (context.crossings.empty()) continue;
-    const double length = std::hypot(ray.dir_x, ray.dir_y, ray.dir_z);
-    const double distance = static_cast<double>(context.crossings.front().fraction) * length;
-    nearest = std::min(nearest, distance);
-    sum.distance_mean_world += distance;
-    sum.layers_mean += static_cast<double>(count_layers(context.crossings));
-    ++blocked;
+    const auto fraction = static_cast<double>(context.crossings.front().fraction);
+    const glm::dvec3 way{ray.dir_x, ray.dir_y, ray.dir_z};
+    const double length = glm::length(way);
+    blockers.push_back({fraction * length, fraction * glm::dot(way, glm::dvec3(job.n_geometric_world)),
+                        penumbra_width(job.light, fraction, length), count_layers(context.crossings)});
   }
-  if (blocked == 0) return {};
-  return {sum.distance_mean_world / blocked, nearest, sum.layers_mean / blocked};
+  return statistics_of(blockers);
 }
 
 }  // namespace umbrameter

@@ -13,11 +13,22 @@ inline constexpr uint32_t kProbes = kBatch;
 struct BlockerStatistics {
   double distance_mean_world = 0.0;
   double distance_min_world = 0.0;
+  double distance_p10_world = 0.0;
   double layers_mean = 0.0;
+  double penumbra_width_world = 0.0;
+  double contact_distance_world = 0.0;
+};
+
+/// The receiver's place and normal, and the light as seen from there.
+struct ProbeJob {
+  const EmbreeScene& embree;
+  const Light& light;
+  const LightPatch& patch;
+  glm::vec3 origin_world{0.0f};
+  glm::vec3 n_geometric_world{0.0f};
 };
 
 /// Shoots kProbes rays of a set that no visibility sample uses.
-BlockerStatistics probe_blockers(const EmbreeScene& embree, const glm::vec3& origin_world,
-                                 const LightPatch& patch, const SampleSets& sets, uint32_t seed);
+BlockerStatistics probe_blockers(const ProbeJob& job, const SampleSets& sets, uint32_t seed);
 
 }  // namespace umbrameter

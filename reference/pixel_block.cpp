@@ -19,6 +19,7 @@ struct Pixel {
   LightPatch patch;
   LightProof proof = LightProof::none;
   PixelSums sums;
+  std::array<PixelSums, 2> kept;  // by half: the sums when it stopped
 };
 
 static_assert(kShafts == kBlock * kBlock);
@@ -51,6 +52,7 @@ Block shoot_primary(const BlockJob& job, int x0, int y0, ReferencePlanes& planes
                                      glm::vec3(receiver.n_geometric_world),
                                      patch,
                                      LightProof::none,
+                                     {},
                                      {}};
     }
   }
@@ -68,27 +70,39 @@ void prove(const BlockJob& job, Block& block) {
   for (size_t i = 0; i < block.count; ++i) block.pixels[i].proof = proofs[i];
 }
 
-bool is_settled(const BlockJob& job, const Pixel& pixel) {
+bool is_settled(const BlockJob& job, Half judge, const Pixel& pixel) {
   if (pixel.proof != LightProof::none) return true;
-  return job.target_se && estimate_pixel(pixel.sums).visibility_se <= *job.target_se;
+  return job.target_se && standard_error_by(judge, pixel.sums) <= *job.target_se;
 }
 
+/// A half that stopped by what its own samples look like would be biased: those that agree by chance stop early. So each
+/// half stops when the other one says so. What it is sampled after that only serves to judge the other.
 void sample_block(const BlockJob& job, Block& block) {
+  std::array<bool, 2> has_stopped{};
   uint32_t points = job.target_se ? std::min(kFirstRound, job.sets.points()) : job.sets.points();
   for (;;) {
     for (Pixel& pixel : block.used()) {
       if (job.skip_proven && pixel.proof != LightProof::none) continue;
       sample_pixel(job.embree, pixel.ray_origin_world, pixel.patch, job.sets, pixel.seed, points, pixel.sums);
     }
-    const auto settled = [&](const Pixel& pixel) { return is_settled(job, pixel); };
-    if (points == job.sets.points() || std::ranges::all_of(block.used(), settled)) return;
+    const bool is_last = points == job.sets.points();
+    for (size_t half = 0; half < 2; ++half) {
+      if (has_stopped[half]) continue;
+      const Half judge = half == 0 ? Half::b : Half::a;
+      const auto settled = [&](const Pixel& pixel) { return is_settled(job, judge, pixel); };
+      if (!is_last && !std::ranges::all_of(block.used(), settled)) continue;
+      has_stopped[half] = true;
+      for (Pixel& pixel : block.used()) pixel.kept[half] = pixel.sums;
+    }
+    if (has_stopped[0] && has_stopped[1]) return;
     points = std::min(2 * points, job.sets.points());
   }
 }
 
 /// What the samples say; without any, what is proven.
 PixelEstimate estimate_of(const Pixel& pixel) {
-  PixelEstimate estimate = estimate_pixel(pixel.sums);
+  PixelEstimate estimate = estimate_pixel(pixel.kept[0], pixel.kept[1]);
+  estimate.sample_count = kReplicates * pixel.sums.points;
   if (pixel.proof == LightProof::none) return estimate;
   estimate.visibility_se = 0.0;
   if (estimate.sample_count > 0 || pixel.proof != LightProof::lit) return estimate;
@@ -107,7 +121,9 @@ void render_block(const BlockJob& job, int x0, int y0, ReferencePlanes& planes) 
     const PixelEstimate estimate = estimate_of(pixel);
     BlockerStatistics blockers;
     if (estimate.visibility < 1.0) {
-      blockers = probe_blockers(job.embree, pixel.ray_origin_world, pixel.patch, job.sets, pixel.seed);
+      blockers = probe_blockers(
+          {job.embree, job.light, pixel.patch, pixel.ray_origin_world, pixel.n_geometric_world}, job.sets,
+          pixel.seed);
     }
     planes.write_light(pixel.index, estimate, blockers);
   }

@@ -29,8 +29,8 @@ struct BlockJob {
 };
 
 /// Renders the block whose first pixel is (x0, y0), cut at the picture's border. Every pixel gets the same
-/// number of samples: as many as the noisiest one needs for target_se, or all of the sets' points. Pixels whose
-/// visibility is proven (reference/light_proof.h) take no part in that; they get no samples, or with skip_proven
+/// number of samples: each half as many as the noisiest one needs for target_se by what the other half shows, or all
+/// of the sets' points. Pixels whose visibility is proven (reference/light_proof.h) take no part in that; they get no samples, or with skip_proven
 /// off as many as the others and the same values.
 void render_block(const BlockJob& job, int x0, int y0, ReferencePlanes& planes);
 

@@ -47,9 +47,18 @@ glm::dvec3 shading_normal(const Scene& scene, uint32_t triangle, const Corners& 
   return glm::dot(n, n_geometric) < 0.0 ? -n : n;
 }
 
+/// Unit; zero at the light's very centre.
+glm::dvec3 to_center_of(const Light& light, const glm::dvec3& p_world) {
+  if (light.type == LightType::sun) return -light.direction_world;
+  const glm::dvec3 way = light.center_world - p_world;
+  const double length = glm::length(way);
+  return length > 0.0 ? way / length : glm::dvec3(0.0);
+}
+
 }  // namespace
 
-glm::vec3 shadow_ray_origin(const glm::dvec3& p_world, const glm::dvec3& n_world, const glm::dvec3& a_world,
+glm::vec3 shadow_ray_origin(const glm::dvec3& p_world, const glm::dvec3& n_world,
+                            const glm::dvec3& to_light_world, const glm::dvec3& a_world,
                             const glm::dvec3& b_world, const glm::dvec3& c_world) {
   // Embree computes the distance from dot(a - origin, normal) with the normal from a cross product of edges.
   // The product's error grows with the reach of the triangle and with how thin it is; slivers are capped.
@@ -64,14 +73,20 @@ glm::vec3 shadow_ray_origin(const glm::dvec3& p_world, const glm::dvec3& n_world
       {glm::distance(a_world, p_world), glm::distance(b_world, p_world), glm::distance(c_world, p_world)});
   const double needed = kRoundoffs * 0x1p-24 * reach * thinness;
 
+  // Towards the light the point stays on its ray: raised along the normal it would see round the blocker's edge. Where the
+  // light stands low the way there is long.
+  constexpr double kLeastCosine = 0.2;
+  const double cosine = glm::dot(n_world, to_light_world);
+  const glm::dvec3 up = cosine > kLeastCosine ? to_light_world / cosine : n_world;
+
   // Rounding to float moves the point too: raise it until it is verifiably high enough.
   double raise = needed;
-  glm::vec3 origin(p_world + raise * n_world);
+  glm::vec3 origin(p_world + raise * up);
   for (;;) {
     const double height = glm::dot(n_world, glm::dvec3(origin) - p_world);
     if (height >= needed) return origin;
     raise = 2.0 * raise + (needed - height);
-    origin = glm::vec3(p_world + raise * n_world);
+    origin = glm::vec3(p_world + raise * up);
   }
 }
 
@@ -111,7 +126,9 @@ std::optional<PrimaryHit> PrimaryCamera::hit(const EmbreeScene& embree, int x, i
                                     static_cast<double>(query.ray.tfar));
   receiver.n_shading_world =
       shading_normal(scene_, hit.primitive, t, receiver.p_world, receiver.n_geometric_world);
-  receiver.ray_origin_world = shadow_ray_origin(receiver.p_world, receiver.n_geometric_world, t.a, t.b, t.c);
+  receiver.ray_origin_world =
+      shadow_ray_origin(receiver.p_world, receiver.n_geometric_world,
+                        to_center_of(scene_.light(), receiver.p_world), t.a, t.b, t.c);
   return hit;
 }
 

@@ -30,9 +30,11 @@ class PrimaryCamera {
   glm::dvec3 forward_world_;
 };
 
-/// A float point just above the plane through `p_world` (unit normal `n_world`), as near as rounding allows:
-/// high enough that Embree cannot place the triangle a, b, c of that plane in front of a ray that leaves it.
-glm::vec3 shadow_ray_origin(const glm::dvec3& p_world, const glm::dvec3& n_world, const glm::dvec3& a_world,
+/// A float point just above the plane through `p_world` (unit normal `n_world`), as near as rounding allows: high enough
+/// that Embree cannot place the triangle a, b, c of that plane in front of a ray that leaves it. It lies on the way
+/// `to_light_world` (unit) where that rises well over the plane, else on the normal.
+glm::vec3 shadow_ray_origin(const glm::dvec3& p_world, const glm::dvec3& n_world,
+                            const glm::dvec3& to_light_world, const glm::dvec3& a_world,
                             const glm::dvec3& b_world, const glm::dvec3& c_world);
 
 }  // namespace umbrameter

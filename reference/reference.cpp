@@ -57,6 +57,18 @@ double extent_of(const Scene& scene) {
   return std::max({reach.x, reach.y, reach.z, scene.bounds_world.diagonal()});
 }
 
+/// Vertices are floats: far from the origin they are coarse, and what they bound is not what was meant.
+void warn_of_rounding(const Scene& scene, std::vector<std::string>& warnings) {
+  constexpr double kNoticeable = 1e-5;  // of the scene's size
+  if (scene.bounds_world.empty()) return;
+  const double extent = extent_of(scene);
+  const double rounding = extent * 0x1p-24;
+  if (rounding <= kNoticeable * scene.bounds_world.diagonal()) return;
+  warnings.push_back(fmt::format(
+      "the scene reaches {:.3g} from the origin but is only {:.3g} wide: its vertices are rounded to {:.2g}",
+      extent, scene.bounds_world.diagonal(), rounding));
+}
+
 int tiles_across(int side_px) {
   return (side_px + kTile - 1) / kTile;
 }
@@ -69,9 +81,14 @@ void render_tile(const BlockJob& job, int tile_x, int tile_y, ReferencePlanes& p
   }
 }
 
-void warn_of_missed_target(const Image& image, double target_se, std::vector<std::string>& warnings) {
+void warn_of_missed_target(const Image& image, double target_se, uint32_t sample_limit,
+                           std::vector<std::string>& warnings) {
   const auto se = image.plane("visibility_se");
-  const auto missed = std::ranges::count_if(se, [&](float v) { return static_cast<double>(v) > target_se; });
+  const auto samples = image.plane("sample_count");
+  size_t missed = 0;
+  for (size_t i = 0; i < se.size(); ++i) {
+    if (samples[i] >= static_cast<float>(sample_limit) && static_cast<double>(se[i]) > target_se) ++missed;
+  }
   if (missed == 0) return;
   warnings.push_back(
       fmt::format("{} pixels kept a standard error above {} at the sample limit", missed, target_se));
@@ -109,7 +126,10 @@ class ReferenceRenderer final : public Renderer {
                        settings_.skip_proven};
     render_tiles(job, planes, progress);
 
-    if (settings_.target_se) warn_of_missed_target(frame.image, *settings_.target_se, frame.warnings);
+    warn_of_rounding(scene, frame.warnings);
+    if (settings_.target_se) {
+      warn_of_missed_target(frame.image, *settings_.target_se, kReplicates * sets_.points(), frame.warnings);
+    }
     frame.device = fmt::format("Embree {}, {} threads", embree_.version(), arena_.max_concurrency());
     frame.memory_bytes = embree_.memory_bytes();
     frame.wall_time_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

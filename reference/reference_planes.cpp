@@ -18,7 +18,10 @@ ReferencePlanes::ReferencePlanes(Image& image)
       sample_count_(image.add_plane("sample_count")),
       blocker_distance_(image.add_plane("blocker_distance")),
       blocker_distance_min_(image.add_plane("blocker_distance_min")),
-      blocker_layers_(image.add_plane("blocker_layers")) {}
+      blocker_distance_p10_(image.add_plane("blocker_distance_p10")),
+      blocker_layers_(image.add_plane("blocker_layers")),
+      penumbra_width_(image.add_plane("penumbra_width")),
+      contact_distance_(image.add_plane("contact_distance")) {}
 
 ReferencePlanes::Vector ReferencePlanes::add_vector(Image& image, const std::string& name) {
   return {image.add_plane(name + ".x"), image.add_plane(name + ".y"), image.add_plane(name + ".z")};
@@ -51,6 +54,9 @@ void ReferencePlanes::write_light(size_t pixel, const PixelEstimate& estimate,
   sample_count_[pixel] = static_cast<float>(estimate.sample_count);
   blocker_distance_[pixel] = static_cast<float>(blockers.distance_mean_world);
   blocker_distance_min_[pixel] = static_cast<float>(blockers.distance_min_world);
+  blocker_distance_p10_[pixel] = static_cast<float>(blockers.distance_p10_world);
+  penumbra_width_[pixel] = static_cast<float>(blockers.penumbra_width_world);
+  contact_distance_[pixel] = static_cast<float>(blockers.contact_distance_world);
   blocker_layers_[pixel] = static_cast<float>(blockers.layers_mean);
 }
 

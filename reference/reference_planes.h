@@ -33,7 +33,8 @@ class ReferencePlanes {
   Vector position_, normal_, shading_normal_;
   Plane primitive_id_, unshadowed_irradiance_;
   Plane visibility_, visibility_se_, half_a_, half_b_, irradiance_ratio_, sample_count_;
-  Plane blocker_distance_, blocker_distance_min_, blocker_layers_;
+  Plane blocker_distance_, blocker_distance_min_, blocker_distance_p10_, blocker_layers_;
+  Plane penumbra_width_, contact_distance_;
 };
 
 }  // namespace umbrameter

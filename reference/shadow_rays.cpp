@@ -125,6 +125,25 @@ void make_shadow_rays(const LightPatch& patch, const SampleStream& stream, uint3
 }
 
 UMBRAMETER_WIDE
+void to_packets_of_8(const ShadowRayBatch& batch, std::array<RTCRay8, 2>& packets) {
+  for (uint32_t k = 0; k < 2; ++k) {
+    for (uint32_t i = 0; i < 8; ++i) {
+      packets[k].dir_x[i] = batch.rays.dir_x[8 * k + i];
+      packets[k].dir_y[i] = batch.rays.dir_y[8 * k + i];
+      packets[k].dir_z[i] = batch.rays.dir_z[8 * k + i];
+      packets[k].tfar[i] = batch.rays.tfar[8 * k + i];
+    }
+  }
+}
+
+UMBRAMETER_WIDE
+void from_packets_of_8(const std::array<RTCRay8, 2>& packets, ShadowRayBatch& batch) {
+  for (uint32_t k = 0; k < 2; ++k) {
+    for (uint32_t i = 0; i < 8; ++i) batch.rays.tfar[8 * k + i] = packets[k].tfar[i];
+  }
+}
+
+UMBRAMETER_WIDE
 void add_rays(const ShadowRayBatch& batch, LaneSums& sums) {
   for (uint32_t i = 0; i < kBatch; ++i) {
     const float seen = batch.is_facing[i] != 0 && batch.rays.tfar[i] >= 0.0f ? 1.0f : 0.0f;

@@ -45,6 +45,11 @@ struct alignas(64) LaneSums {
 void make_shadow_rays(const LightPatch& patch, const SampleStream& stream, uint32_t first, uint32_t end,
                       ShadowRayBatch& batch);
 
+/// The batch's directions and ends as two packets of 8, and back where those rays ended. In steps as wide as the machine
+/// reads: what is written in halves must wait before it is read as a whole.
+void to_packets_of_8(const ShadowRayBatch& batch, std::array<RTCRay8, 2>& packets);
+void from_packets_of_8(const std::array<RTCRay8, 2>& packets, ShadowRayBatch& batch);
+
 /// Adds a batch: rays that face the light, and were not blocked if they were traced, are seen.
 void add_rays(const ShadowRayBatch& batch, LaneSums& sums);
 void add_lanes(const LaneSums& lanes, ReplicateSums& sums);

@@ -39,6 +39,27 @@ class Tracer {
   std::array<typename ShadowPacket<Width>::Ray, kPackets> packets_;
 };
 
+template <>
+class Tracer<8> {
+ public:
+  Tracer(const EmbreeScene& embree, const ShadowRayBatch& batch)
+      : scene_(embree.handle()), packets_{slice<8>(batch.rays, 0), slice<8>(batch.rays, 8)} {
+    rtcInitIntersectContext(&context_);
+    context_.flags = embree.packet_flags();
+  }
+  void trace(ShadowRayBatch& batch) {
+    to_packets_of_8(batch, packets_);
+    rtcOccluded8(&batch.is_facing[0], scene_, &context_, &packets_[0]);
+    rtcOccluded8(&batch.is_facing[8], scene_, &context_, &packets_[1]);
+    from_packets_of_8(packets_, batch);
+  }
+
+ private:
+  RTCScene scene_;
+  RTCIntersectContext context_;
+  std::array<RTCRay8, 2> packets_;
+};
+
 /// The batch is a packet already.
 template <>
 class Tracer<16> {
@@ -72,6 +93,17 @@ void sample_in_packets(const EmbreeScene& embree, const glm::vec3& origin_world,
   sums.points = points;
 }
 
+constexpr uint32_t kHalf = kReplicates / 2;
+
+double mean_of(const PixelSums& sums, size_t replicate) {
+  return static_cast<double>(sums.replicates[replicate].seen) / sums.points;
+}
+
+/// Samples that all agree do not prove certainty: an occluder thinner than a stratum can hide from them.
+double least_error(uint32_t samples) {
+  return 0.5 / samples;
+}
+
 }  // namespace
 
 void sample_pixel(const EmbreeScene& embree, const glm::vec3& origin_world, const LightPatch& patch,
@@ -86,25 +118,35 @@ void sample_pixel(const EmbreeScene& embree, const glm::vec3& origin_world, cons
   }
 }
 
-PixelEstimate estimate_pixel(const PixelSums& sums) {
+double standard_error_by(Half half, const PixelSums& sums) {
+  const size_t first = half == Half::a ? 0 : kHalf;
+  double mean = 0.0, squares = 0.0;
+  for (size_t r = first; r < first + kHalf; ++r) mean += mean_of(sums, r) / kHalf;
+  for (size_t r = first; r < first + kHalf; ++r) squares += std::pow(mean_of(sums, r) - mean, 2);
+  const double spread = std::sqrt(squares / (kReplicates * (kHalf - 1)));
+  return std::max(least_error(kReplicates * sums.points), spread);
+}
+
+PixelEstimate estimate_pixel(const PixelSums& a, const PixelSums& b) {
   PixelEstimate estimate;
-  if (sums.points == 0) return estimate;
-  constexpr int kHalf = kReplicates / 2;
+  if (a.points == 0 || b.points == 0) return estimate;
   std::array<double, kReplicates> means;
   double weight = 0.0, weight_seen = 0.0;
   for (size_t r = 0; r < kReplicates; ++r) {
-    means[r] = static_cast<double>(sums.replicates[r].seen) / sums.points;
+    const PixelSums& sums = r < kHalf ? a : b;
+    means[r] = mean_of(sums, r);
     (r < kHalf ? estimate.half_a : estimate.half_b) += means[r] / kHalf;
-    weight += sums.replicates[r].weight;
-    weight_seen += sums.replicates[r].weight_seen;
+    const double each = static_cast<double>(a.points) / sums.points;
+    weight += each * sums.replicates[r].weight;
+    weight_seen += each * sums.replicates[r].weight_seen;
   }
   estimate.visibility = 0.5 * (estimate.half_a + estimate.half_b);
+  // Right for replicates of unequal variance too, as long as they are independent.
   double squares = 0.0;
   for (const double mean : means) squares += (mean - estimate.visibility) * (mean - estimate.visibility);
-  estimate.sample_count = kReplicates * sums.points;
-  // Samples that all agree do not prove certainty: an occluder thinner than a stratum can hide from them.
-  const double floor = 0.5 / estimate.sample_count;
-  estimate.visibility_se = std::max(floor, std::sqrt(squares / (kReplicates * (kReplicates - 1))));
+  estimate.sample_count = kHalf * (a.points + b.points);
+  estimate.visibility_se =
+      std::max(least_error(estimate.sample_count), std::sqrt(squares / (kReplicates * (kReplicates - 1))));
   estimate.irradiance_ratio = weight > 0.0 ? weight_seen / weight : 0.0;
   return estimate;
 }

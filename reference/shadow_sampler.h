@@ -31,6 +31,12 @@ struct PixelEstimate {
 void sample_pixel(const EmbreeScene& embree, const glm::vec3& origin_world, const LightPatch& patch,
                   const SampleSets& sets, uint32_t seed, uint32_t points, PixelSums& sums);
 
-PixelEstimate estimate_pixel(const PixelSums& sums);
+enum class Half { a, b };
+
+/// The standard error that one half's replicates alone promise for all of them.
+double standard_error_by(Half half, const PixelSums& sums);
+
+/// Half A as it is in `a`, half B as it is in `b`; sample_count counts both.
+PixelEstimate estimate_pixel(const PixelSums& a, const PixelSums& b);
 
 }  // namespace umbrameter

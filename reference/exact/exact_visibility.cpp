@@ -1,83 +1,17 @@
 #include "reference/exact/exact_visibility.h"
 
-#include "core/error.h"
+#include "reference/exact/exact_frame.h"
 
 #include <CGAL/Boolean_set_operations_2.h>
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polygon_set_2.h>
-
-#include <algorithm>
 
 namespace umbrameter {
 
 namespace {
 
-using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
-using Number = Kernel::FT;
-using Point3 = Kernel::Point_3;
-using Vector3 = Kernel::Vector_3;
-using Point2 = Kernel::Point_2;
+using namespace exact;
 using Polygon = CGAL::Polygon_2<Kernel>;
 using PolygonSet = CGAL::Polygon_set_2<Kernel>;
-
-/// A place seen from the light's frame: x tangent, y bitangent, z along their cross product, in units of the
-/// three vectors, so that nothing needs to be unit or at right angles. Ratios of areas do not depend on the
-/// units.
-struct LightFrame {
-  Vector3 center, to_x, to_y, to_z;
-
-  explicit LightFrame(const PolygonLight& light) {
-    const Vector3 x = exact(light.tangent_world);
-    const Vector3 y = exact(light.bitangent_world);
-    const Vector3 z = CGAL::cross_product(x, y);
-    const Number scale = z * z;
-    if (scale == 0) fail_input("the light's tangent and bitangent span no plane");
-    center = exact(light.center_world);
-    to_x = CGAL::cross_product(y, z) / scale;
-    to_y = CGAL::cross_product(z, x) / scale;
-    to_z = z / scale;
-  }
-  static Vector3 exact(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
-  Point3 place(const glm::dvec3& p_world) const {
-    const Vector3 offset = exact(p_world) - center;
-    return {offset * to_x, offset * to_y, offset * to_z};
-  }
-};
-
-/// value(p) = normal . (p - origin); the half-space keeps values >= 0.
-struct HalfSpace {
-  Point3 origin;
-  Vector3 normal;
-  Number value(const Point3& p) const { return normal * (p - origin); }
-};
-
-/// Sutherland and Hodgman's clipping of one convex polygon by one half-space.
-std::vector<Point3> clip(const std::vector<Point3>& corners, const HalfSpace& half) {
-  std::vector<Point3> kept;
-  for (size_t i = 0; i < corners.size(); ++i) {
-    const Point3& from = corners[i];
-    const Point3& to = corners[(i + 1) % corners.size()];
-    const Number at_from = half.value(from);
-    const Number at_to = half.value(to);
-    if (at_from >= 0) kept.push_back(from);
-    if (CGAL::sign(at_from) * CGAL::sign(at_to) < 0) {
-      kept.push_back(from + (to - from) * (at_from / (at_from - at_to)));
-    }
-  }
-  return kept;
-}
-
-/// The pyramid from the receiver over the light's bounding rectangle, cut off at the light's plane.
-std::vector<HalfSpace> pyramid_over(const std::vector<Point3>& rectangle, const Point3& receiver) {
-  std::vector<HalfSpace> sides;
-  for (size_t i = 0; i < 4; ++i) {
-    const Vector3 normal = CGAL::cross_product(rectangle[i] - receiver, rectangle[(i + 1) % 4] - receiver);
-    const bool inwards = normal * (rectangle[(i + 2) % 4] - receiver) > 0;
-    sides.push_back({receiver, inwards ? normal : -normal});
-  }
-  sides.push_back({Point3(0, 0, 0), Vector3(0, 0, receiver.z() > 0 ? 1 : -1)});
-  return sides;
-}
 
 /// Adds the convex polygon to `polygons`, counter-clockwise and without repeated corners; drops it without
 /// area.
@@ -101,31 +35,12 @@ void add_shadow(const std::array<Point3, 3>& triangle, const Point3& receiver,
   std::vector<Point3> corners(triangle.begin(), triangle.end());
   for (const HalfSpace& side : pyramid) corners = clip(corners, side);
   std::vector<Point2> projected;
-  for (const Point3& q : corners) {
-    const Number scale = receiver.z() / (receiver.z() - q.z());
-    projected.emplace_back(receiver.x() + (q.x() - receiver.x()) * scale,
-                           receiver.y() + (q.y() - receiver.y()) * scale);
-  }
+  for (const Point3& q : corners) projected.push_back(project(receiver, q));
   add_polygon(projected, shadows);
 }
 
 /// What of the bounding rectangle lies below the receiver's horizon.
-void add_horizon(const LightFrame& frame, const std::vector<Point3>& rectangle, const PolygonLight& light,
-                 const glm::dvec3& p_world, const glm::dvec3& n_world, std::vector<Polygon>& shadows) {
-  const Vector3 n = LightFrame::exact(n_world);
-  const Vector3 x = LightFrame::exact(light.tangent_world);
-  const Vector3 y = LightFrame::exact(light.bitangent_world);
-  // On the light's plane n . (center + x u + y v - p) is linear in (u, v).
-  const Number at_center = n * (frame.center - LightFrame::exact(p_world));
-  const Vector3 gradient(n * x, n * y, 0);
-  const Number gradient2 = gradient * gradient;
-  std::vector<Point3> below;
-  if (gradient2 == 0) {
-    if (at_center <= 0) below = rectangle;
-  } else {
-    const Point3 on_horizon = Point3(0, 0, 0) - gradient * (at_center / gradient2);
-    below = clip(rectangle, {on_horizon, -gradient});
-  }
+void add_horizon(const std::vector<Point3>& below, std::vector<Polygon>& shadows) {
   std::vector<Point2> corners;
   for (const Point3& q : below) corners.emplace_back(q.x(), q.y());
   add_polygon(corners, shadows);
@@ -137,16 +52,6 @@ Polygon outline_of(const PolygonLight& light) {
   if (outline.size() < 3 || !outline.is_simple()) fail_input("the light's outline is not a simple polygon");
   if (outline.is_clockwise_oriented()) outline.reverse_orientation();
   return outline;
-}
-
-std::vector<Point3> bounding_rectangle(const PolygonLight& light) {
-  glm::dvec2 low = light.corners.front();
-  glm::dvec2 high = low;
-  for (const glm::dvec2& corner : light.corners) {
-    low = {std::min(low.x, corner.x), std::min(low.y, corner.y)};
-    high = {std::max(high.x, corner.x), std::max(high.y, corner.y)};
-  }
-  return {{low.x, low.y, 0}, {high.x, low.y, 0}, {high.x, high.y, 0}, {low.x, high.y, 0}};
 }
 
 Number area_of(const PolygonSet& set) {
@@ -184,7 +89,7 @@ double exact_visibility(std::span<const TriangleCorners> triangles, const glm::d
   const std::vector<Point3> rectangle = bounding_rectangle(light);
   const std::vector<HalfSpace> pyramid = pyramid_over(rectangle, receiver);
   std::vector<Polygon> shadows;
-  add_horizon(frame, rectangle, light, p_world, n_world, shadows);
+  add_horizon(below_horizon(frame, rectangle, light, p_world, n_world), shadows);
   for (const TriangleCorners& t : triangles) {
     add_shadow({frame.place(t[0]), frame.place(t[1]), frame.place(t[2])}, receiver, pyramid, shadows);
   }
