@@ -29,15 +29,18 @@ std::string with_edits(std::string text, const std::vector<ManifestEdit>& edits)
   return text;
 }
 
-/// The home's techniques with edited manifests, in `folder`.
+/// The home's techniques with edited manifests, in `folder`, beside the same shaders.
 Home edited_home(const Home& home, const std::vector<ManifestEdit>& edits, const fs::path& folder) {
+  const fs::path techniques = folder / "techniques";
   fs::remove_all(folder);
-  fs::copy(home.techniques, folder, fs::copy_options::recursive);
-  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+  create_folder(folder);
+  fs::copy(home.techniques, techniques, fs::copy_options::recursive);
+  fs::create_directory_symlink(home.shaders, folder / "shaders");
+  for (const auto& entry : fs::recursive_directory_iterator(techniques)) {
     if (entry.path().extension() != ".toml") continue;
     write_file_atomically(entry.path(), with_edits(read_file(entry.path()), edits));
   }
-  return {home.library, folder, home.shaders};
+  return {home.library, techniques, home.shaders};
 }
 
 std::string key_of(const std::vector<ManifestEdit>& edits) {
@@ -72,7 +75,7 @@ class EditedRenderers {
     const std::string key = key_of(edits);
     if (edited_.key == key) return edited_;
     edited_.renderer.reset();
-    edited_ = {edited_home(plain_.home, edits, folder_ / "techniques"), key, {}};
+    edited_ = {edited_home(plain_.home, edits, folder_ / "edited"), key, {}};
     return edited_;
   }
 

@@ -7,6 +7,7 @@ namespace {
 StressPoint fov_point(const StressValue& value) {
   StageScene stage = nominal_stage();
   stage.vertical_fov_deg = value.number;
+  stage.at_world = {0.62, 0, 0.62};  // a penumbra before the box
   StressPoint point = point_of(stage);
   point.must_be_refused = value.number <= 0.0 || value.number >= 180.0;
   return point;

@@ -165,8 +165,9 @@ class AxisWalk {
     if (out.truth.scored_pixels == 0) out.truth.outcome = nothing;
     const TruthCheck check = check_truth(out.scene, out.reference, mask, tools_.oracle);
     out.truth.exact_points = check.points;
-    // Lights may be too small for a penumbra here.
-    const std::vector<std::string> problems = truth_problems(out.reference, mask, {.partial_per_edge = 0.0});
+    // Lights may be too small for a penumbra here, and edge-on ones are cut into exact halves.
+    const TruthSettings settings = {.least_spread_ratio = 0.0, .partial_per_edge = 0.0};
+    const std::vector<std::string> problems = truth_problems(out.reference, mask, settings);
     const std::optional<std::string> problem =
         check.objection || problems.empty() ? check.objection : std::optional(problems.front());
     if (problem) {

@@ -29,7 +29,7 @@ struct StageScene {
   glm::dvec3 light_center_world{-1.5, 4, 1};
   std::optional<glm::dvec3> light_at_world = glm::dvec3(0.0);  // else: along light_direction_world
   glm::dvec3 light_direction_world{0, -1, 0};
-  double light_size_world = 1.0;  // width of a rect, diameter of a disk or sphere
+  double light_size_world = 0.3;  // width of a rect, diameter of a disk or sphere
   double sun_diameter_deg = 2.0;
 
   std::vector<StageMesh> meshes;

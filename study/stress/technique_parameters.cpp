@@ -57,8 +57,13 @@ StressPoint light_kernel_point(const StressValue& value) {
   return point;
 }
 
+// A mat that hides its shadow from a bias of its thickness.
 StressPoint bias_point(const StressValue& value) {
-  return with_parameters({"bias_texels=" + value.text});
+  StageScene stage = nominal_stage();
+  stage.meshes.push_back({"shape = \"plate\"\nsize = [1.2, 1.2]\nthickness = 0.05\n", {1.2, 0.15, 0.4}});
+  StressPoint point = with_parameters({"bias_texels=" + value.text});
+  point.scene = to_toml(stage);
+  return point;
 }
 
 StressPoint depth_point(const StressValue& value) {
@@ -116,7 +121,7 @@ std::vector<StressAxis> technique_axes() {
        .unit = "world",
        .doc = "Side of the light over a map 16 wide, for filters that follow it.",
        .values = numbers({0.3, 1, 3, 10, 100}),
-       .nominal = 1,
+       .nominal = 0,
        .needs_parameter = {"filter_taps"},
        .point = light_kernel_point},
       {.name = "bias_texels",
