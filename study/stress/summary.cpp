@@ -13,12 +13,23 @@ using enum StressOutcome;
 
 /// Neither for nor against a technique.
 bool is_silent(StressOutcome outcome) {
-  return outcome == nothing || outcome == rightly_refused;
+  return outcome == nothing || outcome == rightly_refused || outcome == not_applicable;
 }
 
 std::optional<StressBreak> break_at(const StressCell* cell, size_t value) {
   if (cell == nullptr || cell->outcome == ok || is_silent(cell->outcome)) return std::nullopt;
   return StressBreak{value, cell->outcome, cell->how};
+}
+
+/// Whether any value but the nominal one concerns the row; axes of one value concern all.
+bool is_concerned(const StressResults& results, const StressAxis& axis, const std::string& row) {
+  if (axis.values.size() == 1) return true;
+  for (size_t value = 0; value < axis.values.size(); ++value) {
+    const StressCell* cell = results.find(axis.name, row, value);
+    const bool concerns = cell != nullptr && cell->outcome != not_applicable;
+    if (value != axis.nominal && concerns) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -50,6 +61,12 @@ StressRange range_of(const StressResults& results, const StressAxis& axis, const
     range.why_not = nominal == nullptr                   ? "not run"
                     : nominal->outcome == not_applicable ? nominal->how
                                                          : words_for(nominal->outcome, nominal->how);
+    return range;
+  }
+  if (!is_concerned(results, axis, row)) {
+    range.applies = false;
+    const StressCell* other = results.find(axis.name, row, axis.nominal == 0 ? 1 : 0);
+    range.why_not = other == nullptr ? "not run" : other->how;
     return range;
   }
   for (size_t value = axis.nominal; value-- > 0 && !range.before;) {

@@ -17,7 +17,7 @@ struct StressBreak {
 };
 
 /// Where one row holds on one axis: from the nominal value to either side up to the first break. Values that must be
-/// refused, and pictures without a lit pixel, neither break nor widen it.
+/// refused, that do not concern the row, and pictures without a lit pixel neither break nor widen it.
 struct StressRange {
   std::string axis, row;
   bool applies = true;  // else `why_not` says why
