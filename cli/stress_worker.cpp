@@ -182,6 +182,7 @@ std::vector<StressCell> watch_axis(const StressAxis& axis, const StressPlan& pla
   const fs::path place = axis_folder(folder, axis);
   create_folder(place);
   const fs::path journal = journal_of(place), log = place / "worker.log";
+  fs::remove(journal);  // of an earlier run
   progress.begin(axis.name, cells_of(axis, techniques));
   size_t told = 0;
   while (true) {

@@ -12,6 +12,7 @@
 #include "realtime/harness/readback.h"
 #include "realtime/manifest/names.h"
 #include "realtime/realtime.h"
+#include "scenes/local_scene.h"
 
 #include <array>
 #include <optional>
@@ -104,16 +105,26 @@ class GlRenderer final : public Renderer {
   ~GlRenderer() override { context_.make_current(); }  // the GL objects die next
 
   Frame render(const Scene& scene, const RenderRequest& request, Progress& progress) override {
-    return make_prepared(scene, request, false, progress).frame;
+    return make_local(scene, request, false, progress).frame;
   }
 
   PreparedRun prepare(const Scene& scene, const RenderRequest& request, Progress& progress) override {
-    return make_prepared(scene, request, true, progress);
+    return make_local(scene, request, true, progress);
   }
 
   const GlDevice& device() const { return context_.device(); }
 
  private:
+  /// Near the origin; the frame says where the scene really is.
+  PreparedRun make_local(const Scene& scene, const RenderRequest& request, bool is_timed,
+                         Progress& progress) {
+    const std::optional<LocalScene> local = local_scene(scene);
+    if (!local) return make_prepared(scene, request, is_timed, progress);
+    PreparedRun prepared = make_prepared(local->scene, request, is_timed, progress);
+    add_origin(local->origin_world, prepared.frame.image);
+    return prepared;
+  }
+
   PreparedRun make_prepared(const Scene& scene, const RenderRequest& request, bool is_timed,
                             Progress& progress) {
     const Clock::time_point start = Clock::now();
