@@ -237,10 +237,13 @@ class GlRenderer final : public Renderer {
     const std::array<std::string, 1> channels = {std::string(kVisibility)};
     read_texture(plan.targets->visibility(), channels, frame.image);
     if (const auto warning = check_visibility(frame.image, technique.id)) frame.warnings.push_back(*warning);
-    if (!plan.center_view) return;
-    add_texel_planes(*plan.center_view, frame.image);
-    add_bias_plane(frame.parameters, frame.image);
-    const double outside = share_outside(frame.image, plan.center_view->view);
+    if (plan.center_view) {
+      add_texel_planes(*plan.center_view, frame.image);
+      add_bias_plane(frame.parameters, frame.image);
+    }
+    const std::optional<FittedView>& map = plan.center_view ? plan.center_view : plan.sample_view;
+    if (!map) return;
+    const double outside = share_outside(frame.image, map->view);
     if (outside == 0.0) return;
     frame.warnings.push_back(
         fmt::format("technique '{}': {:.3g} % of the receivers lie outside the light's map and count as lit",

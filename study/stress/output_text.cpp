@@ -11,6 +11,12 @@
 namespace umbrameter {
 namespace {
 
+const std::string kMarkdownHead =
+    "# Stability\n\nWritten by `umbrameter stress --markdown` (how and why: stress.md). A row holds from the "
+    "first "
+    "to the last value named, while its error\nstays within twice the nominal one; then what breaks it, and "
+    "where. What the program does not name is an axis without a say for that technique.\n\n";
+
 std::string axis_heading(const StressAxis& axis) {
   return axis.unit.empty() ? axis.name : fmt::format("{} [{}]", axis.name, axis.unit);
 }
@@ -71,19 +77,19 @@ std::string stress_text(const StressResults& results) {
 }
 
 std::string stress_markdown(const StressResults& results) {
-  std::string text;
+  std::string text = kMarkdownHead + stress_summary(results) + ".\n\n";
   for (const StressAxis& axis : results.plan.axes) {
-    text += fmt::format("### {}\n\n{}\n\n| holds | which |\n| --- | --- |\n", axis_heading(axis),
+    text += fmt::format("## {}\n\n{}\n\n| holds | which |\n| --- | --- |\n", axis_heading(axis),
                         nominal_text(axis));
     for (const auto& [range, rows] : by_range(results, axis))
       text += fmt::format("| {} | {} |\n", markdown_cell(range), markdown_cell(rows_text(rows, results)));
     text += "\n";
   }
-  text += "### Against the rules\n\n";
+  text += "## Against the rules\n\n";
   const auto violations = results.violations();
   if (violations.empty()) text += "Nothing.\n";
   for (const StressCell* cell : violations) text += "- " + violation_text(results, *cell) + "\n";
-  return text + "\n" + stress_summary(results) + ".\n";
+  return text;
 }
 
 }  // namespace umbrameter
