@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <set>
@@ -17,6 +18,13 @@ namespace umbrameter {
 namespace {
 
 constexpr double kNearOfDiagonal = 1e-4;
+constexpr double kNearOfTarget = 1e-2;
+
+/// Before what the camera looks at, however large the scene is. Depth is reversed, so a small one costs nothing.
+double derived_near(const Scene& scene) {
+  const double to_target = glm::distance(scene.camera.eye_world, scene.camera.at_world);
+  return std::min(kNearOfDiagonal * scene.bounds_world.diagonal(), kNearOfTarget * to_target);
+}
 
 void hash_vector(Hasher& hasher, const glm::dvec3& v) {
   hasher.number(v.x).number(v.y).number(v.z);
@@ -99,8 +107,7 @@ Scene parse_scene(std::string_view document, const std::filesystem::path& file, 
   reader.finish();     // unknown keys are reported before large files are read
   std::vector<NamedMesh> meshes = read_meshes(reader, file.parent_path(), search, scene.warnings);
   merge_meshes(meshes, scene);
-  if (scene.camera.near_world == 0.0)
-    scene.camera.near_world = kNearOfDiagonal * scene.bounds_world.diagonal();
+  if (scene.camera.near_world == 0.0) scene.camera.near_world = derived_near(scene);
   warn_of_rounding(scene);
   for (std::string& warning : find_enclosed_lights(scene)) scene.warnings.push_back(std::move(warning));
   scene.hash = hash_scene(scene);

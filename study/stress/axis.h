@@ -36,7 +36,6 @@ struct StressAxis {
   /// Techniques without any of these parameters are not concerned; empty: all are.
   std::vector<std::string> needs_parameter;
   std::function<StressPoint(const StressValue&)> point;
-  bool edits_manifests = false;
 };
 
 /// Values as {:g} writes them.

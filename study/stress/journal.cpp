@@ -21,7 +21,7 @@ JournalState read_journal(const std::filesystem::path& file) {
   std::ifstream in(file);
   for (std::string line; std::getline(in, line);) {
     const Json json = Json::parse(line, nullptr, false);
-    if (json.is_discarded()) break;
+    if (json.is_discarded()) continue;
     if (json.contains("start")) {
       state.open = StressTask{json.at("start"), json.at("value")};
       continue;
@@ -34,6 +34,7 @@ JournalState read_journal(const std::filesystem::path& file) {
 
 JournalWriter::JournalWriter(const std::filesystem::path& file) : path_(file), file_(file, std::ios::app) {
   if (!file_) fail_input("cannot be written", {file.string()});
+  file_ << '\n';  // ends a line that was cut off
 }
 
 void JournalWriter::start(const StressTask& task) {

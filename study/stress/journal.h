@@ -26,7 +26,7 @@ struct JournalState {
   const StressCell* find(const std::string& row, size_t value) const;
 };
 
-/// An empty state when there is no file. A last line that was cut off is left out.
+/// An empty state when there is no file. A line that was cut off is left out.
 JournalState read_journal(const std::filesystem::path& file);
 
 /// Appends; every line reaches the file before the call returns.

@@ -1,11 +1,9 @@
 #include "study/stress/run.h"
 
-#include "core/files.h"
-#include "metrics/truth_check.h"
-#include "scenes/load_scene.h"
 #include "study/guard.h"
 #include "study/pictures.h"
 #include "study/stress/judge.h"
+#include "study/stress/stress_scene.h"
 
 #include <fmt/format.h>
 
@@ -16,21 +14,6 @@ namespace umbrameter {
 namespace {
 
 using enum StressOutcome;
-
-StressCell failed(StressOutcome outcome, const std::string& how) {
-  StressCell cell;
-  cell.outcome = outcome;
-  cell.how = how;
-  return cell;
-}
-
-/// A value's scene with its truth; techniques can be judged only if `is_usable`.
-struct StressScene {
-  StressCell truth;
-  bool is_usable = false;
-  Scene scene;
-  Image reference;
-};
 
 std::string folder_name(const StressValue& value) {
   std::string name = value.text;
@@ -86,12 +69,13 @@ class AxisWalk {
     const std::string truth_row(kTruthRow);
     if (has_died(truth_row, value)) {
       for (const TechniqueRun& run : tools_.techniques)
-        finish(failed(unjudged, "there is no truth"), run.label, value);
+        finish(stress_failure(unjudged, "there is no truth"), run.label, value);
       return;
     }
     journal_.start({truth_row, value});
     const StressPoint point = axis_.point(axis_.values[value]);
-    const StressScene scene = make_scene(point, value);
+    const StressScene scene = make_stress_scene(point, place_of(value), request(), tools_, progress_);
+    keep_picture(scene.truth, scene.reference, truth_row, value, scene.reference.pixel_count() > 0);
     finish(scene.truth, truth_row, value);
     for (const TechniqueRun& run : tools_.techniques) {
       const bool is_skipped = is_done(run.label, value) && (!is_nominal || has_died(run.label, value));
@@ -118,80 +102,15 @@ class AxisWalk {
 
   std::filesystem::path place_of(size_t value) const { return folder_ / folder_name(axis_.values[value]); }
 
-  /// The files as a user would write them, read back.
-  std::optional<StressCell> load(const StressPoint& point, size_t value, Scene& scene) const {
-    const std::filesystem::path place = place_of(value);
-    create_folder(place);
-    for (const auto& [name, bytes] : point.files) write_file_atomically(place / name, bytes);
-    write_file_atomically(place / "scene.toml", point.scene);
-    const auto failure = guarded([&] { scene = load_scene(place / "scene.toml", {}); });
-    if (!failure && point.must_be_refused) return failed(accepted, "this must be refused");
-    if (!failure) return std::nullopt;
-    const bool is_right = point.must_be_refused && failure->kind == ErrorKind::input;
-    return failed(is_right ? rightly_refused : outcome_of(*failure), failure->message);
-  }
-
-  StressScene make_scene(const StressPoint& point, size_t value) const {
-    StressScene out;
-    if (const auto ended = load(point, value, out.scene)) {
-      out.truth = *ended;
-      return out;
-    }
-    Image surfaces;
-    const auto failure = guarded([&] {
-      surfaces = tools_.realtime(point.edits).render(out.scene, request(), progress_).image;
-      out.reference = tools_.reference.render(out.scene, request(), progress_).image;
-    });
-    if (failure) {
-      out.truth = failed(outcome_of(*failure), failure->message);
-      return out;
-    }
-    const auto unmeasured = guarded([&] { judge_truth(surfaces, out); });
-    if (unmeasured) {
-      const bool is_input = unmeasured->kind == ErrorKind::input;  // the metrics' word for NaN
-      out.truth = failed(is_input ? bad_value : outcome_of(*unmeasured), unmeasured->message);
-    }
-    out.truth.warnings = out.scene.warnings;
-    keep_picture(out.truth, out.reference, std::string(kTruthRow), value, true);
-    return out;
-  }
-
-  void judge_truth(const Image& surfaces, StressScene& out) const {
-    const glm::dvec3& eye = out.scene.camera.eye_world;
-    const double eye_world[3] = {eye.x, eye.y, eye.z};
-    const Parity alone = compare_surfaces(out.reference, out.reference, eye_world);
-    const std::vector<uint8_t> mask = scored_mask(alone, out.reference);
-    out.truth.scored_pixels = static_cast<size_t>(std::ranges::count(mask, 1));
-    if (out.truth.scored_pixels == 0) out.truth.outcome = nothing;
-    const TruthCheck check = check_truth(out.scene, out.reference, mask, tools_.oracle);
-    out.truth.exact_points = check.points;
-    // Lights may be too small for a penumbra here, and edge-on ones are cut into exact halves.
-    const TruthSettings settings = {.least_spread_ratio = 0.0, .partial_per_edge = 0.0};
-    const std::vector<std::string> problems = truth_problems(out.reference, mask, settings);
-    const std::optional<std::string> problem =
-        check.objection || problems.empty() ? check.objection : std::optional(problems.front());
-    if (problem) {
-      out.truth.outcome = wrong_truth;
-      out.truth.how = *problem;
-    }
-    const Parity parity = compare_surfaces(surfaces, out.reference, eye_world);
-    out.is_usable = parity.passes;
-    if (parity.passes || problem) return;
-    out.truth.outcome = other_surfaces;
-    out.truth.how =
-        fmt::format("the renderers agree in {:.2f} % of {} covered pixels, {:.1f} % are required",
-                    100.0 * parity.agreement, parity.covered, 100.0 * ParityTolerance{}.required_agreement);
-  }
-
   StressCell walk_technique(const TechniqueRun& base, const StressPoint& point, const StressScene& scene,
                             size_t value) {
     const bool has_parameter = axis_.needs_parameter.empty() ||
                                std::ranges::any_of(axis_.needs_parameter, [&](const std::string& name) {
                                  return base.parameters.contains(name);
                                });
-    if (!has_parameter) return failed(not_applicable, "has no such parameter");
+    if (!has_parameter) return stress_failure(not_applicable, "has no such parameter");
     if (scene.reference.pixel_count() == 0) return of_scene(scene.truth);
-    if (const auto reason = skip_reason(base, scene.scene)) return failed(not_applicable, *reason);
+    if (const auto reason = skip_reason(base, scene.scene)) return stress_failure(not_applicable, *reason);
     RenderRequest wanted = request();
     Image picture;
     std::vector<std::string> warnings;
@@ -206,8 +125,8 @@ class AxisWalk {
       picture = std::move(frame.image);
       warnings = std::move(frame.warnings);
     });
-    if (failure) return failed(outcome_of(*failure), failure->message);
-    if (!is_concerned) return failed(not_applicable, "keeps nothing in that format");
+    if (failure) return stress_failure(outcome_of(*failure), failure->message);
+    if (!is_concerned) return stress_failure(not_applicable, "keeps nothing in that format");
     if (!scene.is_usable) return of_scene(scene.truth);
     StressCell cell = judge(base.label, picture, scene, value);
     cell.warnings = warnings;
@@ -230,7 +149,8 @@ class AxisWalk {
   static StressCell of_scene(const StressCell& truth) {
     const bool is_shared = truth.outcome == rightly_refused || truth.outcome == refused ||
                            truth.outcome == other_surfaces || truth.outcome == environment;
-    return is_shared ? failed(truth.outcome, truth.how) : failed(unjudged, "there is no truth");
+    return is_shared ? stress_failure(truth.outcome, truth.how)
+                     : stress_failure(unjudged, "there is no truth");
   }
 
   static std::vector<std::string> applicable(const std::vector<std::string>& assignments,

@@ -4,11 +4,9 @@
 
 #include "study/stress/axis.h"
 #include "study/stress/journal.h"
-#include "study/stress/truth_check.h"
-#include "study/validation.h"
+#include "study/stress/tools.h"
 
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,19 +21,6 @@ struct StressPlan {
   int timeout_s = 300;                  // without a cell done: hangs
   std::vector<std::string> techniques;  // ids or folders; empty = all built-in ones
   std::vector<StressAxis> axes;
-};
-
-/// What study/ cannot make itself.
-struct StressTools {
-  std::vector<TechniqueRun> techniques;  // at their defaults
-  /// With `edits` made in the manifests of all built-in techniques; valid until the next call.
-  std::function<Renderer&(const std::vector<ManifestEdit>& edits)> realtime;
-  /// Error{input} for what the technique does not allow.
-  std::function<TechniqueRun(const TechniqueRun& run, const std::vector<std::string>& assignments,
-                             const std::vector<ManifestEdit>& edits)>
-      choose;
-  Renderer& reference;
-  TruthOracle oracle;
 };
 
 /// The values in the order they are run in: the nominal one first, as the others are judged by it.

@@ -157,15 +157,13 @@ std::vector<StressAxis> technique_axes() {
        .doc = "Format of every depth map.",
        .values = words({"depth32f", "depth24", "depth16"}),
        .needs_parameter = {"map_size"},
-       .point = depth_point,
-       .edits_manifests = true},
+       .point = depth_point},
       {.name = "stored_format",
        .unit = "",
        .doc = "Format of moments, exponentials, masks and coarse maps; 8 bits hold 0 to 1.",
        .values = words({"32f", "16f", "8"}),
        .needs_parameter = {},
-       .point = stored_point,
-       .edits_manifests = true},
+       .point = stored_point},
   };
 }
 

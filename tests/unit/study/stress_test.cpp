@@ -152,9 +152,12 @@ TEST(StressJournal, keeps_what_was_done_and_what_was_begun) {
     writer.finish(cell);
     writer.start({"hard", 2});
   }
-  std::ofstream(file, std::ios::app) << "{\"cell cut o";
+  std::ofstream(file, std::ios::app) << "{\"start\": \"pcss\", \"val";
+  JournalWriter(file).finish(cell_of(3, crash));  // by whom saw the end of it
+  ASSERT_EQ(read_journal(file).cells.size(), 2u);
+  EXPECT_FALSE(read_journal(file).open);
+  JournalWriter(file).start({"hard", 2});
   const JournalState state = read_journal(file);
-  ASSERT_EQ(state.cells.size(), 1u);
   EXPECT_EQ(state.cells[0].rmse->high, 0.3);
   EXPECT_EQ(state.cells[0].warnings.size(), 2u);
   EXPECT_EQ(state.cells[0].outcome, worse);
