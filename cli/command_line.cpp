@@ -62,6 +62,7 @@ std::optional<int> parse_command_line(int argc, const char* const* argv, CLI::Ap
   add_scene(app, line);
   add_selftest(app, line);
   add_regress(app, line);
+  add_stress(app, line);
   add_doctor(app, line);
   try {
     app.parse(argc, argv);

@@ -41,6 +41,7 @@ void add_techniques(CLI::App& app, CommandLine& line);
 void add_scene(CLI::App& app, CommandLine& line);
 void add_selftest(CLI::App& app, CommandLine& line);
 void add_regress(CLI::App& app, CommandLine& line);
+void add_stress(CLI::App& app, CommandLine& line);
 void add_doctor(CLI::App& app, CommandLine& line);
 
 }  // namespace umbrameter

@@ -13,6 +13,7 @@
 #include "realtime/harness/readback.h"
 #include "realtime/manifest/names.h"
 #include "realtime/realtime.h"
+#include "scenes/local_scene.h"
 
 #include <array>
 #include <optional>
@@ -106,16 +107,26 @@ class GlRenderer final : public Renderer {
   ~GlRenderer() override { context_.make_current(); }  // the GL objects die next
 
   Frame render(const Scene& scene, const RenderRequest& request, Progress& progress) override {
-    return make_prepared(scene, request, false, progress).frame;
+    return make_local(scene, request, false, progress).frame;
   }
 
   PreparedRun prepare(const Scene& scene, const RenderRequest& request, Progress& progress) override {
-    return make_prepared(scene, request, true, progress);
+    return make_local(scene, request, true, progress);
   }
 
   const GlDevice& device() const { return context_.device(); }
 
  private:
+  /// Near the origin; the frame says where the scene really is.
+  PreparedRun make_local(const Scene& scene, const RenderRequest& request, bool is_timed,
+                         Progress& progress) {
+    const std::optional<LocalScene> local = local_scene(scene);
+    if (!local) return make_prepared(scene, request, is_timed, progress);
+    PreparedRun prepared = make_prepared(local->scene, request, is_timed, progress);
+    add_origin(local->origin_world, prepared.frame.image);
+    return prepared;
+  }
+
   PreparedRun make_prepared(const Scene& scene, const RenderRequest& request, bool is_timed,
                             Progress& progress) {
     const Clock::time_point start = Clock::now();
@@ -236,10 +247,13 @@ class GlRenderer final : public Renderer {
     const std::array<std::string, 1> channels = {std::string(kVisibility)};
     read_texture(plan.targets->visibility(), channels, frame.image);
     if (const auto warning = check_visibility(frame.image, technique.id)) frame.warnings.push_back(*warning);
-    if (!plan.center_view) return;
-    add_texel_planes(*plan.center_view, frame.image);
-    add_bias_plane(frame.parameters, frame.image);
-    const double outside = share_outside(frame.image, plan.center_view->view);
+    if (plan.center_view) {
+      add_texel_planes(*plan.center_view, frame.image);
+      add_bias_plane(frame.parameters, frame.image);
+    }
+    const std::optional<FittedView>& map = plan.center_view ? plan.center_view : plan.sample_view;
+    if (!map) return;
+    const double outside = share_outside(frame.image, map->view);
     if (outside == 0.0) return;
     frame.warnings.push_back(
         fmt::format("technique '{}': {:.3g} % of the receivers lie outside the light's map and count as lit",

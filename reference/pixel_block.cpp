@@ -3,6 +3,7 @@
 #include "reference/light_proof.h"
 #include "reference/patch_irradiance.h"
 #include "reference/shadow_sampler.h"
+#include "scenes/near_light.h"
 
 #include <algorithm>
 #include <array>
@@ -45,7 +46,10 @@ Block shoot_primary(const BlockJob& job, int x0, int y0, ReferencePlanes& planes
         planes.write_light(index, {}, {});
         continue;
       }
-      planes.write_unshadowed_irradiance(index, unshadowed_irradiance(patch));
+      planes.write_unshadowed_irradiance(
+          index, is_near_light(job.light, receiver.p_world)
+                     ? near_irradiance(job.light, receiver.p_world, receiver.n_shading_world)
+                     : unshadowed_irradiance(patch));
       block.pixels[block.count++] = {index,
                                      pixel_seed(job.seed, index),
                                      receiver.ray_origin_world,

@@ -6,6 +6,7 @@
 #include "reference/primary_hit.h"
 #include "reference/reference_planes.h"
 #include "reference/sample_sets.h"
+#include "scenes/local_scene.h"
 #include "scenes/scene.h"
 
 #include <tbb/blocked_range2d.h>
@@ -104,6 +105,15 @@ class ReferenceRenderer final : public Renderer {
   }
 
   Frame render(const Scene& scene, const RenderRequest& request, Progress& progress) override {
+    const std::optional<LocalScene> local = local_scene(scene);
+    if (!local) return render_local(scene, request, progress);
+    Frame frame = render_local(local->scene, request, progress);
+    add_origin(local->origin_world, frame.image);
+    return frame;
+  }
+
+ private:
+  Frame render_local(const Scene& scene, const RenderRequest& request, Progress& progress) {
     const auto start = std::chrono::steady_clock::now();
     require_valid(scene, request);
     arena_.execute([&] {
@@ -136,7 +146,6 @@ class ReferenceRenderer final : public Renderer {
     return frame;
   }
 
- private:
   void render_tiles(const BlockJob& job, ReferencePlanes& planes, Progress& progress) {
     const int columns = tiles_across(planes.width());
     const int rows = tiles_across(planes.height());

@@ -1,6 +1,7 @@
 #include "scenes/light.h"
 
 #include "core/sampling/patterns.h"
+#include "scenes/near_light.h"
 
 #include <glm/geometric.hpp>
 
@@ -129,6 +130,7 @@ GridMean mean_over_grid(const Light& light, const glm::dvec3& p_world, const glm
 }  // namespace
 
 double unshadowed_irradiance(const Light& light, const glm::dvec3& p_world, const glm::dvec3& n_world) {
+  if (is_near_light(light, p_world)) return near_irradiance(light, p_world, n_world);
   const GridMean fine = mean_over_grid(light, p_world, n_world, 8);
   if (fine.straddles_horizon) return mean_over_grid(light, p_world, n_world, 32).irradiance;
   // Richardson: the midpoint rule's error falls with the square of the cell's side.

@@ -7,12 +7,24 @@
 #include "scenes/read_light.h"
 #include "scenes/read_mesh.h"
 
+#include <fmt/format.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
 #include <set>
 
 namespace umbrameter {
 namespace {
 
 constexpr double kNearOfDiagonal = 1e-4;
+constexpr double kNearOfTarget = 1e-2;
+
+/// Before what the camera looks at, however large the scene is. Depth is reversed, so a small one costs nothing.
+double derived_near(const Scene& scene) {
+  const double to_target = glm::distance(scene.camera.eye_world, scene.camera.at_world);
+  return std::min(kNearOfDiagonal * scene.bounds_world.diagonal(), kNearOfTarget * to_target);
+}
 
 void hash_vector(Hasher& hasher, const glm::dvec3& v) {
   hasher.number(v.x).number(v.y).number(v.z);
@@ -44,6 +56,16 @@ std::string hash_scene(const Scene& scene) {
   hasher.values(std::span<const glm::vec3>(scene.normals_world));
   hasher.values(std::span<const glm::uvec3>(scene.triangles));
   return hasher.hex();
+}
+
+/// What positions lose when they are rounded to floats, if it is more than a ten thousandth of the scene.
+void warn_of_rounding(Scene& scene) {
+  const glm::dvec3 most = glm::max(glm::abs(scene.bounds_world.min), glm::abs(scene.bounds_world.max));
+  const double spacing = 0x1p-23 * std::max({most.x, most.y, most.z});
+  if (spacing <= 1e-4 * scene.bounds_world.diagonal()) return;
+  scene.warnings.push_back(fmt::format(
+      "positions are rounded by up to {:.2g}: the scene is {:.3g} wide and lies up to {:.3g} from the origin",
+      0.5 * spacing, scene.bounds_world.diagonal(), std::max({most.x, most.y, most.z})));
 }
 
 std::vector<Light> read_lights(TomlReader& reader) {
@@ -85,8 +107,8 @@ Scene parse_scene(std::string_view document, const std::filesystem::path& file, 
   reader.finish();     // unknown keys are reported before large files are read
   std::vector<NamedMesh> meshes = read_meshes(reader, file.parent_path(), search, scene.warnings);
   merge_meshes(meshes, scene);
-  if (scene.camera.near_world == 0.0)
-    scene.camera.near_world = kNearOfDiagonal * scene.bounds_world.diagonal();
+  if (scene.camera.near_world == 0.0) scene.camera.near_world = derived_near(scene);
+  warn_of_rounding(scene);
   for (std::string& warning : find_enclosed_lights(scene)) scene.warnings.push_back(std::move(warning));
   scene.hash = hash_scene(scene);
   return scene;

@@ -54,6 +54,7 @@ class Planner {
     require_visibility();
     plan_.uniforms = store_.upload();
     plan_.center_view = views_.center();
+    plan_.sample_view = views_.first_sample();
     return std::move(plan_);
   }
 

@@ -33,7 +33,8 @@ struct Plan {
   std::vector<UniformRange> frame_uniforms;
   Buffer uniforms;
   std::optional<FittedView> center_view;
-  std::vector<std::string> warnings;  // the GLSL compiler's
+  std::optional<FittedView> sample_view;  // of the first sample, where maps are drawn from many
+  std::vector<std::string> warnings;      // the GLSL compiler's
 };
 
 /// More draws than this are refused.

@@ -86,4 +86,11 @@ std::optional<FittedView> RunViews::center() const {
   return std::nullopt;
 }
 
+std::optional<FittedView> RunViews::first_sample() const {
+  for (const auto& [key, fitted] : fitted_) {
+    if (std::get<1>(key) != kCenter) return fitted;
+  }
+  return std::nullopt;
+}
+
 }  // namespace umbrameter

@@ -25,6 +25,8 @@ class RunViews {
   const FittedView& get(const std::string& name, const ExpressionVariables& variables);
   /// The view from the light's centre, when a pass used one.
   std::optional<FittedView> center() const;
+  /// The first view from a sample of the light, when a pass used one.
+  std::optional<FittedView> first_sample() const;
 
  private:
   FittedView fit(const ViewDeclaration& declaration, int64_t sample, int texels_a_side, bool snaps);

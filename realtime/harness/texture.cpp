@@ -11,11 +11,14 @@ namespace umbrameter {
 
 namespace {
 
-constexpr std::array<TextureFormat, 10> kFormats = {{
+constexpr std::array<TextureFormat, 13> kFormats = {{
     {"depth32f", GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, 1, 4, true, false},
+    {"depth24", GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_FLOAT, 1, 4, true, false},
+    {"depth16", GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT, GL_FLOAT, 1, 2, true, false},
     {"r8", GL_R8, GL_RED, GL_FLOAT, 1, 1, false, false},
     {"r16f", GL_R16F, GL_RED, GL_FLOAT, 1, 2, false, false},
     {"r32f", GL_R32F, GL_RED, GL_FLOAT, 1, 4, false, false},
+    {"rg8", GL_RG8, GL_RG, GL_FLOAT, 2, 2, false, false},
     {"rg16f", GL_RG16F, GL_RG, GL_FLOAT, 2, 4, false, false},
     {"rg32f", GL_RG32F, GL_RG, GL_FLOAT, 2, 8, false, false},
     {"rgba8", GL_RGBA8, GL_RGBA, GL_FLOAT, 4, 4, false, false},

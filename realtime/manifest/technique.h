@@ -21,7 +21,8 @@ struct ExpressionText {
 
 struct ResourceDeclaration {
   std::string name;
-  std::string format;  // depth32f, r8, r16f, r32f, rg16f, rg32f, rgba8, rgba16f, rgba32f, r32ui
+  std::string
+      format;  // depth32f, depth24, depth16, r8, rg8, r16f, r32f, rg16f, rg32f, rgba8, rgba16f, rgba32f, r32ui
   ExpressionText width, height;
   ExpressionText levels, samples, anisotropy;  // 1 when empty
   std::string filter = "nearest";              // nearest | linear | mipmap

@@ -1,4 +1,5 @@
 #include "study/format.h"
+#include "study/html_text.h"
 #include "study/regress/output.h"
 
 #include <fmt/format.h>
@@ -58,19 +59,6 @@ std::string summary(const RegressResults& results) {
                      results.count(CaseOutcome::fail), results.width_px, results.height_px, results.seed);
 }
 
-std::string escaped(const std::string& text, const char* what, const char* with) {
-  std::string out;
-  for (const char c : text) out += c == *what ? std::string(with) : std::string(1, c);
-  return out;
-}
-
-std::string html_escaped(std::string text) {
-  text = escaped(text, "&", "&amp;");
-  text = escaped(text, "<", "&lt;");
-  text = escaped(text, ">", "&gt;");
-  return escaped(text, "\"", "&quot;");
-}
-
 constexpr const char* kHtmlHead =
     "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
     "content=\"width=device-width\">\n<title>Regression</title>\n<style>\n"
@@ -100,7 +88,7 @@ std::string regress_text(const RegressResults& results) {
 std::string regress_markdown(const RegressResults& results) {
   const auto line = [](const Row& cells) {
     std::string text = "|";
-    for (const std::string& cell : cells) text += " " + escaped(escaped(cell, "|", "\\|"), "\n", " ") + " |";
+    for (const std::string& cell : cells) text += " " + markdown_cell(cell) + " |";
     return text + '\n';
   };
   std::string text = "# Regression\n\n" + summary(results) + "\n\n" + line(kHeadings);
@@ -125,10 +113,10 @@ std::string regress_html(const RegressResults& results) {
 
 std::string github_annotations(const RegressResults& results) {
   const auto message = [](const std::string& text) {
-    return escaped(escaped(escaped(text, "%", "%25"), "\r", "%0D"), "\n", "%0A");
+    return escaped(escaped(escaped(text, '%', "%25"), '\r', "%0D"), '\n', "%0A");
   };
   const auto property = [&](const std::string& text) {
-    return escaped(escaped(message(text), ":", "%3A"), ",", "%2C");
+    return escaped(escaped(message(text), ':', "%3A"), ',', "%2C");
   };
   std::string text;
   for (const RegressCase& one : results.cases) {

@@ -100,7 +100,10 @@ float square_mean(LightPatch light, vec3 n_world, float cosine_at_center, vec2 g
   return sum * outer_half / 4.0;
 }
 
+#include "near_light.glsl"
+
 float unshadowed_irradiance(vec3 p_world, vec3 n_world) {
+  if (is_near_light(p_world)) return near_irradiance(p_world, n_world);
   LightPatch light = light_patch(p_world);
   if (!(light.strength > 0.0)) return 0.0;
   float cosine_at_center = dot(n_world, light.center);

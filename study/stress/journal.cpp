@@ -1,0 +1,53 @@
+#include "study/stress/journal.h"
+
+#include "core/error.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace umbrameter {
+
+using Json = nlohmann::ordered_json;
+
+const StressCell* JournalState::find(const std::string& row, size_t value) const {
+  const auto found = std::ranges::find_if(
+      cells, [&](const StressCell& cell) { return cell.row == row && cell.value == value; });
+  return found == cells.end() ? nullptr : &*found;
+}
+
+JournalState read_journal(const std::filesystem::path& file) {
+  JournalState state;
+  std::ifstream in(file);
+  for (std::string line; std::getline(in, line);) {
+    const Json json = Json::parse(line, nullptr, false);
+    if (json.is_discarded()) continue;
+    if (json.contains("start")) {
+      state.open = StressTask{json.at("start"), json.at("value")};
+      continue;
+    }
+    state.cells.push_back(read_cell(json));
+    state.open.reset();
+  }
+  return state;
+}
+
+JournalWriter::JournalWriter(const std::filesystem::path& file) : path_(file), file_(file, std::ios::app) {
+  if (!file_) fail_input("cannot be written", {file.string()});
+  file_ << '\n';  // ends a line that was cut off
+}
+
+void JournalWriter::start(const StressTask& task) {
+  write({{"start", task.row}, {"value", task.value}});
+}
+
+void JournalWriter::finish(const StressCell& cell) {
+  write(cell_json(cell));
+}
+
+void JournalWriter::write(const Json& line) {
+  file_ << line.dump(-1, ' ', false, Json::error_handler_t::replace) << std::endl;
+  if (!file_) fail_environment(fmt::format("'{}' cannot be written", path_.string()), "is the disk full?");
+}
+
+}  // namespace umbrameter

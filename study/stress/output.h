@@ -1,0 +1,29 @@
+#pragma once
+// A stress run as others read it: people, programs, a browser.
+
+#include "study/stress/summary.h"
+
+#include <string>
+
+namespace umbrameter {
+
+/// Techniques down, axes across would be too wide for a terminal: one line an axis and range, techniques that share it
+/// together; then what breaks the rules.
+std::string stress_text(const StressResults& results);
+
+/// docs/stability.md's tables.
+std::string stress_markdown(const StressResults& results);
+
+/// stress.json.
+std::string stress_json(const StressResults& results);
+
+/// The stability map: a page that needs nothing else.
+std::string stress_html(const StressResults& results);
+
+/// One line: counts and settings.
+std::string stress_summary(const StressResults& results);
+
+/// A violation as a sentence.
+std::string violation_text(const StressResults& results, const StressCell& cell);
+
+}  // namespace umbrameter
