@@ -13,7 +13,7 @@ namespace {
 struct PresetFile {
   std::string technique;
   FileLocation where;
-  std::vector<std::pair<std::string, TomlNode>> values;
+  std::vector<TomlEntry> values;
 };
 
 PresetFile load(const std::string& file) {

@@ -91,7 +91,7 @@ RegressSuite read_suite(TomlNode root) {
   TomlNode own, study;
   own.where = study.where = root.where;
   for (auto& entry : root.entries) {
-    TomlNode& home = std::ranges::find(kOwnKeys, entry.first) == kOwnKeys.end() ? study : own;
+    TomlNode& home = std::ranges::find(kOwnKeys, entry.name) == kOwnKeys.end() ? study : own;
     home.entries.push_back(std::move(entry));
   }
   suite.study = read_study(study);
