@@ -29,7 +29,10 @@ Frame truth_of(const std::string& name) {
   const std::filesystem::path root = UMBRAMETER_SOURCE_DIR;
   const Scene scene = load_scene(root / "scenes/library" / (name + ".toml"), SceneSearch{});
   SilentProgress silent;
-  return make_reference_renderer({512, {}, 0})->render(scene, {.width_px = 480, .height_px = 270}, silent);
+  RenderRequest request;
+  request.width_px = 480;
+  request.height_px = 270;
+  return make_reference_renderer({512, {}, 0})->render(scene, request, silent);
 }
 
 /// Widths of the penumbrae of 20 px or more whose ridge satisfies `lies_on`.
