@@ -13,7 +13,7 @@ namespace {
 
 constexpr size_t kMostTriangles = 300;  // seconds a picture
 constexpr double kCoplanar = 0x1p-22;   // of the largest coordinate: two roundings of a float
-constexpr double kCoarse = 1e-2;        // of the scene: roundings as large as its parts
+constexpr double kCoarse = 1e-2;        // of the scene and the view: roundings as large as parts
 constexpr double kParallel = 1e-6;      // 1 - cosine
 
 struct ExactTriangle {
@@ -58,7 +58,8 @@ TruthOracle exact_oracle() {
                         light.size_world);
     const std::vector<ExactTriangle> triangles = triangles_of(scene);
     const double slack_world = kCoplanar * largest_coordinate(scene);
-    if (slack_world > kCoarse * scene.bounds_world.diagonal()) return std::nullopt;
+    const double view_world = glm::distance(scene.camera.eye_world, scene.camera.at_world);
+    if (slack_world > kCoarse * std::min(view_world, scene.bounds_world.diagonal())) return std::nullopt;
     std::vector<double> exact;
     for (const ReceiverPoint& point : points) {
       exact.push_back(exact_visibility(blockers_of(triangles, point, slack_world), point.p_world,

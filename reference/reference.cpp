@@ -58,18 +58,6 @@ double extent_of(const Scene& scene) {
   return std::max({reach.x, reach.y, reach.z, scene.bounds_world.diagonal()});
 }
 
-/// Vertices are floats: far from the origin they are coarse, and what they bound is not what was meant.
-void warn_of_rounding(const Scene& scene, std::vector<std::string>& warnings) {
-  constexpr double kNoticeable = 1e-5;  // of the scene's size
-  if (scene.bounds_world.empty()) return;
-  const double extent = extent_of(scene);
-  const double rounding = extent * 0x1p-24;
-  if (rounding <= kNoticeable * scene.bounds_world.diagonal()) return;
-  warnings.push_back(fmt::format(
-      "the scene reaches {:.3g} from the origin but is only {:.3g} wide: its vertices are rounded to {:.2g}",
-      extent, scene.bounds_world.diagonal(), rounding));
-}
-
 int tiles_across(int side_px) {
   return (side_px + kTile - 1) / kTile;
 }
@@ -136,7 +124,6 @@ class ReferenceRenderer final : public Renderer {
                        settings_.skip_proven};
     render_tiles(job, planes, progress);
 
-    warn_of_rounding(scene, frame.warnings);
     if (settings_.target_se) {
       warn_of_missed_target(frame.image, *settings_.target_se, kReplicates * sets_.points(), frame.warnings);
     }

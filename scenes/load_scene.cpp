@@ -6,6 +6,7 @@
 #include "scenes/read_camera.h"
 #include "scenes/read_light.h"
 #include "scenes/read_mesh.h"
+#include "scenes/rounding.h"
 
 #include <fmt/format.h>
 #include <glm/common.hpp>
@@ -58,16 +59,6 @@ std::string hash_scene(const Scene& scene) {
   return hasher.hex();
 }
 
-/// What positions lose when they are rounded to floats, if it is more than a ten thousandth of the scene.
-void warn_of_rounding(Scene& scene) {
-  const glm::dvec3 most = glm::max(glm::abs(scene.bounds_world.min), glm::abs(scene.bounds_world.max));
-  const double spacing = 0x1p-23 * std::max({most.x, most.y, most.z});
-  if (spacing <= 1e-4 * scene.bounds_world.diagonal()) return;
-  scene.warnings.push_back(fmt::format(
-      "positions are rounded by up to {:.2g}: the scene is {:.3g} wide and lies up to {:.3g} from the origin",
-      0.5 * spacing, scene.bounds_world.diagonal(), std::max({most.x, most.y, most.z})));
-}
-
 std::vector<Light> read_lights(TomlReader& reader) {
   std::vector<Light> lights;
   std::set<std::string> names;
@@ -108,7 +99,7 @@ Scene parse_scene(std::string_view document, const std::filesystem::path& file, 
   std::vector<NamedMesh> meshes = read_meshes(reader, file.parent_path(), search, scene.warnings);
   merge_meshes(meshes, scene);
   if (scene.camera.near_world == 0.0) scene.camera.near_world = derived_near(scene);
-  warn_of_rounding(scene);
+  if (auto warning = rounding_warning(scene)) scene.warnings.push_back(std::move(*warning));
   for (std::string& warning : find_enclosed_lights(scene)) scene.warnings.push_back(std::move(warning));
   scene.hash = hash_scene(scene);
   return scene;

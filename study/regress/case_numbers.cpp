@@ -83,7 +83,8 @@ const std::vector<std::string>& measure_names() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> all = {"rmse"};
     for (size_t k = kFirstFault; k < kFaultClasses; ++k) all.push_back(fault_name(k));
-    all.insert(all.end(), {kWidth, kOffset, kSlope, kNoise, kTruthNoise, kBanding});
+    all.insert(all.end(),
+               {kWidth, se_name(kWidth), kOffset, se_name(kOffset), kSlope, kNoise, kTruthNoise, kBanding});
     return all;
   }();
   return names;

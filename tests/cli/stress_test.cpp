@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include <fstream>
-#include <set>
 
 namespace umbrameter {
 namespace {
@@ -81,14 +80,14 @@ TEST_F(Stress, TheSmallSuiteKeepsTheRules) {
 }
 
 TEST_F(Stress, ABreakIsFoundAtItsValueAndNamed) {
-  write_technique("bias_texels > 2.5 ? 1.0 : visibility");  // from 3 on all shadows are gone
+  write_technique(
+      "bias_texels > 2.5 ? 1.0 - visibility : visibility");  // from 3 on light and dark change places
   write_suite(kBiasAxis);
   const Json found = range(stressed(0), "bias_texels", "hard");
   EXPECT_EQ(found["last"], "2") << found.dump();
   EXPECT_EQ(found["break_after"]["value"], "3");
   EXPECT_EQ(found["break_after"]["outcome"], "worse");
-  const std::set<std::string> lost = {"lost_shadow", "geometric_leak"};
-  EXPECT_TRUE(lost.contains(found["break_after"]["how"])) << found.dump();
+  EXPECT_EQ(found["break_after"]["how"], "extra_shadow") << found.dump();
 }
 
 TEST_F(Stress, ATechniqueWithNaNBreaksTheRules) {
@@ -102,10 +101,12 @@ TEST_F(Stress, ATechniqueWithNaNBreaksTheRules) {
 }
 
 TEST_F(Stress, AHangIsAnOutcomeAndTheRestGoesOn) {
-  // Far too much for any device, and nothing that a compiler may leave out.
+  // Far too much for any device, and nothing that a compiler may leave out; llvmpipe ends loops after 65535 rounds.
+  std::string round = "out_visibility = fract(sin(out_visibility + float(i)) * 1.7); ";
+  for (int doubling = 0; doubling < 9; ++doubling) round += round;
   write_technique(
-      "visibility;\n  if (bias_texels > 2.5 && bias_texels < 5.0)\n    for (int i = 0; i < 1 << 30; ++i)\n"
-      "      for (int j = 0; j < 1 << 30; ++j) out_visibility = fract(out_visibility * 1.7 + float(i ^ j))");
+      "visibility;\n  if (bias_texels > 2.5 && bias_texels < 5.0)\n    for (int i = 0; i < 1 << 30; ++i) { " +
+      round + "}\n  out_visibility = out_visibility");
   write_suite(kBiasAxis);
   const Json results = stressed(1, {"--timeout", "10"});
   const Json found = range(results, "bias_texels", "hard");

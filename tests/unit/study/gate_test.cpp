@@ -46,9 +46,13 @@ TEST(Gate, AFaultBeyondItsLimitIsNamed) {
 }
 
 TEST(Gate, WhatTheBaselineHasIsAllowedAndHalfOfItMore) {
-  const GateRun baseline = with_share(FaultClass::resolution, 0.01);
-  EXPECT_TRUE(judge_gate(with_share(FaultClass::resolution, 0.015), &baseline, false).passes());
-  EXPECT_EQ(judge_gate(with_share(FaultClass::resolution, 0.0153), &baseline, false).kind,
+  GateRun baseline = with_share(FaultClass::acne, 0.01);
+  EXPECT_TRUE(judge_gate(with_share(FaultClass::acne, 0.015), &baseline, false).passes());
+  EXPECT_EQ(judge_gate(with_share(FaultClass::acne, 0.0153), &baseline, false).kind, GateClass::acne);
+  // Resolution is more of a chance.
+  baseline = with_share(FaultClass::resolution, 0.01);
+  EXPECT_TRUE(judge_gate(with_share(FaultClass::resolution, 0.02), &baseline, false).passes());
+  EXPECT_EQ(judge_gate(with_share(FaultClass::resolution, 0.0203), &baseline, false).kind,
             GateClass::resolution);
 }
 

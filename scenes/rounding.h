@@ -1,0 +1,15 @@
+#pragma once
+// Positions are floats: far from the origin they are coarse, and what they bound is not what was meant.
+
+#include "scenes/scene.h"
+
+#include <optional>
+#include <string>
+
+namespace umbrameter {
+
+/// A warning when positions are rounded by more than a hundred thousandth of the scene's size, or a ten thousandth of how
+/// far its camera looks.
+std::optional<std::string> rounding_warning(const Scene& scene);
+
+}  // namespace umbrameter
