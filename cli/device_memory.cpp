@@ -86,7 +86,7 @@ std::optional<std::string> recall_device(LateStore& store, const GlobalOptions& 
   const Json json = text ? Json::parse(*text, nullptr, false) : Json();
   if (!json.is_object()) return std::nullopt;
   for (const auto& [file, stamp] : json.at("libraries").items()) {
-    if (file_stamp(file) != stamp) return std::nullopt;
+    if (Json(file_stamp(file)) != stamp) return std::nullopt;
   }
   return json.at("identity").get<std::string>();
 }

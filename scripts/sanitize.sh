@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # sanitize.sh [SECONDS]: address and undefined-behaviour sanitizers over every fuzz target (SECONDS each, default 15) and
-# over the small stress suite. CI runs it.
+# over the small stress suite.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 bash scripts/build.sh sanitize
