@@ -18,13 +18,14 @@ std::optional<std::string> rounding_warning(const Scene& scene) {
   const double view = glm::distance(scene.camera.eye_world, scene.camera.at_world);
   if (rounding <= kNoticeable * diagonal && rounding > kNoticeableFromEye * view)
     return fmt::format(
-        "positions are rounded by up to {:.2g} at the rim of the scene, {:.3g} away, and the camera looks at what is {:.3g} "
+        "positions are rounded by up to {:.2g} at the rim of the scene, {:.3g} away, and the camera looks at "
+        "what is {:.3g} "
         "away: rays cannot tell what lies closer together",
         rounding, extent, view);
   if (rounding <= kNoticeable * diagonal) return std::nullopt;
   return fmt::format(
-      "positions are rounded by up to {:.2g}: the scene is {:.3g} wide and lies up to {:.3g} from the origin", rounding,
-      diagonal, extent);
+      "positions are rounded by up to {:.2g}: the scene is {:.3g} wide and lies up to {:.3g} from the origin",
+      rounding, diagonal, extent);
 }
 
 }  // namespace umbrameter
