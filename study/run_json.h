@@ -15,6 +15,7 @@ nlohmann::ordered_json technique_json(const TechniqueResult& run);
 nlohmann::ordered_json reference_json(const std::optional<ReferenceResult>& reference);
 
 // Readers throw nlohmann::json::exception for anything else.
+std::optional<Interval> read_interval(const nlohmann::json& json);
 std::optional<Failure> read_failure(const nlohmann::json& json);
 TechniqueResult read_technique(const nlohmann::json& json);
 std::optional<ReferenceResult> read_reference(const nlohmann::json& json);

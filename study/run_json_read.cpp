@@ -10,11 +10,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-std::optional<Interval> read_interval(const Json& json) {
-  if (json.is_null()) return std::nullopt;
-  return Interval{json.at("value"), json.at("low"), json.at("high")};
-}
-
 RegionError read_region(const Json& json) {
   return {json.at("pixels"), json.at("share"), json.at("mse"), json.at("bias")};
 }
@@ -77,6 +72,11 @@ std::optional<TemporalNumbers> read_temporal(const Json& json) {
 }
 
 }  // namespace
+
+std::optional<Interval> read_interval(const nlohmann::json& json) {
+  if (json.is_null()) return std::nullopt;
+  return Interval{json.at("value"), json.at("low"), json.at("high")};
+}
 
 std::optional<Failure> read_failure(const nlohmann::json& json) {
   if (json.is_null()) return std::nullopt;

@@ -128,9 +128,9 @@ bool SelftestResults::passes(const SelftestTargets& targets) const {
 
 SelftestResults run_selftest(std::span<const SceneJob> jobs, const SelftestSettings& settings,
                              SelftestRenderers renderers, Progress& progress) {
-  const std::vector<FaultCase> faults = fault_list();
+  const std::vector<FaultCase> faults = settings.benign_only ? std::vector<FaultCase>() : fault_list();
   const std::vector<BenignVariant> variants = benign_list();
-  const std::vector<MaskCase> masks = mask_list();
+  const std::vector<MaskCase> masks = settings.benign_only ? std::vector<MaskCase>() : mask_list();
   SelftestResults results;
   std::vector<std::optional<FaultOutcome>> outcomes(faults.size());
   progress.begin("selftest", jobs.size());
@@ -141,12 +141,12 @@ SelftestResults run_selftest(std::span<const SceneJob> jobs, const SelftestSetti
       results.benign.push_back(
           {variant.name, job.name, judge_and_keep(variant.name, variant.make(stage), stage)});
     }
-    for (const MaskCase& mask : settings.benign_only ? std::vector<MaskCase>() : masks) {
+    for (const MaskCase& mask : masks) {
       if (const auto outcome = count_mask(mask, stage)) results.masks.push_back(*outcome);
     }
     for (size_t k = 0; k < faults.size(); ++k) {
       const FaultCase& fault = faults[k];
-      if (fault.scene != job.name || settings.benign_only) continue;
+      if (fault.scene != job.name) continue;
       outcomes[k] = {fault.name, fault.scene, fault.origin, fault.right,
                      judge_and_keep(fault.name, fault.make(stage), stage)};
     }

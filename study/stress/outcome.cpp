@@ -2,6 +2,7 @@
 
 #include "study/json_optional.h"
 #include "study/json_parts.h"
+#include "study/run_json.h"
 
 #include <fmt/format.h>
 
@@ -18,11 +19,6 @@ constexpr std::array<std::string_view, kStressOutcomes> kNames = {
 
 bool holds(const std::string& text, std::string_view part) {
   return text.find(part) != std::string::npos;
-}
-
-std::optional<Interval> read_interval(const nlohmann::json& json) {
-  if (json.is_null()) return std::nullopt;
-  return Interval{json.at("value"), json.at("low"), json.at("high")};
 }
 
 }  // namespace

@@ -3,13 +3,13 @@
 #include "tests/support/procedural_scene.h"
 
 #include "core/progress.h"
+#include "core/statistics.h"
 #include "metrics/penumbra.h"
 #include "reference/reference.h"
 #include "scenes/load_scene.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <string>
@@ -51,10 +51,6 @@ Edge measure_edge(const Frame& frame, const LiesOn& lies_on) {
   }
   Edge edge{widths.size()};
   if (widths.empty()) return edge;
-  const auto median = [](std::vector<double>& values) {
-    std::ranges::nth_element(values, values.begin() + static_cast<ptrdiff_t>(values.size() / 2));
-    return values[values.size() / 2];
-  };
   edge.median_width_world = median(widths);
   edge.median_width_10_90_world = median(widths_10_90);
   return edge;
