@@ -40,6 +40,7 @@ struct ValidateOptions {
   bool maps = false;
   bool no_reuse = false;
   bool no_skip = false;
+  bool details = false;
 };
 
 constexpr int kTemporalFrames = 4;  // of each sequence: three steps show a change, and cost three references
@@ -233,7 +234,7 @@ int validate(const ValidateOptions& options, const GlobalOptions& global) {
   for (size_t i = 0; store.exists() && i < work.names.size(); ++i)
     remember_scene(store, work.names[i], search, work.scenes[i]);
   publish_results(staging.folder(), out, to_json_text(results), store);
-  print_answer(global.json ? to_json_text_with_work(results) : validation_text(results));
+  print_answer(global.json ? to_json_text_with_work(results) : validation_text(results, options.details));
   print_note(work_line(results.work));
   print_note(fmt::format("wrote {}", (out / "report.html").string()));
   return code;
@@ -270,6 +271,8 @@ void add_validate(CLI::App& app, CommandLine& line) {
   verb->add_flag("--no-reuse", options->no_reuse, "render and score again what the store in --out knows");
   verb->add_flag("--no-skip", options->no_skip,
                  "do what the scenes do not need, too; the numbers are the same");
+  verb->add_flag("--details", options->details,
+                 "also print parity, significance, verdicts and left-out passes of every run");
   verb->callback(
       [options, &line] { line.verb = [options, &line] { return validate(*options, line.global); }; });
 }

@@ -66,29 +66,68 @@ std::string left_out_list(const Results& results) {
   return text;
 }
 
-std::string scene_lists(const Results& results) {
-  std::string text;
+/// The same warning of several runs a line.
+std::string warning_list(const Results& results) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> warnings;
+  const auto add = [&](const std::string& text, const std::string& who) {
+    auto known = std::ranges::find(warnings, text, [](const auto& entry) { return entry.first; });
+    if (known == warnings.end()) known = warnings.insert(known, {text, {}});
+    known->second.push_back(who);
+  };
   for (const SceneResult& scene : results.scenes) {
-    if (scene.parity) text += fmt::format("{}: {}\n", scene.name, format_parity(*scene.parity));
-    for (const std::string& warning : scene.warnings)
-      text += fmt::format("{}: warning: {}\n", scene.name, warning);
+    for (const std::string& text : scene.warnings) add(text, scene.name);
     for (const TechniqueResult& run : scene.techniques) {
-      for (const auto& [term, meaning] : judgement_lines(run.judgement)) {
-        text += fmt::format("{}, {}: {}: {}\n", scene.name, run.label, term, meaning);
-      }
-      if (run.temporal)
-        text += fmt::format("{}, {}: {}\n", scene.name, run.label, format_temporal(*run.temporal));
-      for (const std::string& warning : run.warnings) {
-        text += fmt::format("{}, {}: warning: {}\n", scene.name, run.label, warning);
+      const std::string subject = fmt::format("technique '{}': ", run.technique);
+      for (const std::string& text : run.warnings) {
+        add(text.starts_with(subject) ? text.substr(subject.size()) : text, scene.name + ", " + run.label);
       }
     }
   }
+  std::string list;
+  for (const auto& [text, who] : warnings) {
+    const std::string others = who.size() > 1 ? fmt::format(" and {} more", who.size() - 1) : "";
+    list += fmt::format("warning: {}{}: {}\n", who.front(), others, text);
+  }
+  return list;
+}
+
+/// What was asked for, and verdicts that more samples would decide.
+std::string findings(const Results& results) {
+  std::string text;
+  for (const SceneResult& scene : results.scenes) {
+    for (const TechniqueResult& run : scene.techniques) {
+      const auto add = [&](const std::string& line) {
+        text += fmt::format("{}, {}: {}\n", scene.name, run.label, line);
+      };
+      const auto& [significance, verdict, limit] = run.judgement;
+      if (limit) add(limit_line(*limit));
+      if (verdict && verdict->more_samples) add(verdict_line(*verdict));
+      if (run.temporal) add(format_temporal(*run.temporal));
+    }
+  }
+  return text;
+}
+
+std::string details(const Results& results) {
+  std::string text;
+  for (const SceneResult& scene : results.scenes) {
+    if (scene.parity) text += fmt::format("{}: {}\n", scene.name, format_parity(*scene.parity));
+    for (const TechniqueResult& run : scene.techniques) {
+      for (const auto& [term, meaning] : judgement_lines(run.judgement))
+        text += fmt::format("{}, {}: {}: {}\n", scene.name, run.label, term, meaning);
+    }
+  }
+  return text + left_out_list(results);
+}
+
+std::string skip_list(const Results& results) {
+  std::string text;
   for (const Skip& skip : results.skipped) {
     const std::string saved = skip.saved_s ? fmt::format(" (saves about {:.2g} s)", *skip.saved_s) : "";
     text += fmt::format("skipped {}{}{}: {}{}\n", skip.scene, skip.technique.empty() ? "" : ", ",
                         skip.technique, skip.reason, saved);
   }
-  return text + left_out_list(results);
+  return text;
 }
 
 }  // namespace
@@ -104,10 +143,11 @@ std::string work_line(const WorkDone& work) {
                      work.references_rendered, work.reused, work.references_reused);
 }
 
-std::string validation_text(const Results& results) {
-  return fmt::format("quality {}, {} x {} px, {} samples a pixel, seed {}\n\n{}\n{}", results.quality,
+std::string validation_text(const Results& results, bool with_details) {
+  return fmt::format("quality {}, {} x {} px, {} samples a pixel, seed {}\n\n{}\n{}{}{}{}", results.quality,
                      results.width_px, results.height_px, results.samples_per_pixel, results.seed,
-                     table(results), scene_lists(results));
+                     table(results), with_details ? details(results) : "", findings(results),
+                     warning_list(results), skip_list(results));
 }
 
 }  // namespace umbrameter

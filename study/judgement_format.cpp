@@ -28,19 +28,6 @@ std::string what_would_decide(const std::optional<double>& more_samples) {
   return fmt::format("; about {:.0f} more samples a pixel would decide", std::max(1.0, *more_samples));
 }
 
-std::string verdict_text(const RunVerdict& verdict) {
-  std::string text = format_verdict(verdict);
-  text += fmt::format(", mean squared error {:+.2e} [{:+.2e}, {:+.2e}]", verdict.mse_difference.value,
-                      verdict.mse_difference.low, verdict.mse_difference.high);
-  return verdict.outcome == Comparison::cannot_tell ? text + what_would_decide(verdict.more_samples) : text;
-}
-
-std::string limit_text(const LimitNumbers& limit) {
-  const std::string text = fmt::format("RMSE {}: ", limit.limit_rmse);
-  if (limit.outcome != LimitOutcome::cannot_tell) return text + std::string(name_of(limit.outcome));
-  return text + "cannot tell" + what_would_decide(limit.more_samples);
-}
-
 }  // namespace
 
 std::string format_verdict(const std::optional<RunVerdict>& verdict) {
@@ -50,17 +37,27 @@ std::string format_verdict(const std::optional<RunVerdict>& verdict) {
   return text;
 }
 
+std::string verdict_line(const RunVerdict& verdict) {
+  std::string text = fmt::format("against {}: {}, mean squared error {:+.2e} [{:+.2e}, {:+.2e}]",
+                                 verdict.baseline, format_verdict(verdict), verdict.mse_difference.value,
+                                 verdict.mse_difference.low, verdict.mse_difference.high);
+  return verdict.outcome == Comparison::cannot_tell ? text + what_would_decide(verdict.more_samples) : text;
+}
+
+std::string limit_line(const LimitNumbers& limit) {
+  const std::string text = fmt::format("RMSE {}: ", limit.limit_rmse);
+  if (limit.outcome != LimitOutcome::cannot_tell) return text + std::string(name_of(limit.outcome));
+  return text + "cannot tell" + what_would_decide(limit.more_samples);
+}
+
 TermLines judgement_lines(const Judgement& judgement) {
   TermLines lines;
   if (judgement.significance) {
     lines.emplace_back("wrong pixels", wrong_pixels_text(*judgement.significance));
     lines.emplace_back("beyond 3 sigmas", exceedance_text(*judgement.significance));
   }
-  if (judgement.verdict) {
-    lines.emplace_back("verdict", fmt::format("against {}: {}", judgement.verdict->baseline,
-                                              verdict_text(*judgement.verdict)));
-  }
-  if (judgement.limit) lines.emplace_back("limit", limit_text(*judgement.limit));
+  if (judgement.verdict) lines.emplace_back("verdict", verdict_line(*judgement.verdict));
+  if (judgement.limit) lines.emplace_back("limit", limit_line(*judgement.limit));
   return lines;
 }
 
