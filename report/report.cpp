@@ -1,6 +1,7 @@
 #include "report/report.h"
 
 #include "core/files.h"
+#include "core/html.h"
 #include "report/assets.h"
 #include "report/facts.h"
 #include "report/html.h"

@@ -1,5 +1,5 @@
 #include "study/format.h"
-#include "study/html_text.h"
+#include "study/table_text.h"
 #include "study/regress/output.h"
 
 #include <fmt/format.h>
