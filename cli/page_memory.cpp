@@ -2,6 +2,7 @@
 
 #include "core/files.h"
 #include "core/hash.h"
+#include "report/side_files.h"
 #include "study/store/file_stamp.h"
 
 #include <fmt/format.h>
@@ -17,8 +18,10 @@ std::string key_of(const fs::path& out) {
 
 /// What the page is made of and what it was when it was made. Another program may make another page.
 std::string state_of(const fs::path& out, const std::string& json) {
-  return fmt::format(R"({{"results": "{}", "program": "{}", "page": "{}"}})", hash_text(json),
-                     file_stamp("/proc/self/exe"), file_stamp(out / "report.html"));
+  Hasher others;
+  for (const fs::path& file : side_files(out)) others.text(file.filename().string()).text(file_stamp(file));
+  return fmt::format(R"({{"results": "{}", "others": "{}", "program": "{}", "page": "{}"}})", hash_text(json),
+                     others.hex(), file_stamp("/proc/self/exe"), file_stamp(out / "report.html"));
 }
 
 }  // namespace

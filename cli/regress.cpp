@@ -134,7 +134,15 @@ void update(const LoadedSuite& suite, const RegressOptions& options, const Basel
   write_baseline(suite.baseline_file, fresh);
 }
 
-/// The same runs as 'validate' shows them: pictures, faults, everything in results.json.
+/// Before and after, as a table for people or as a page without pictures.
+void write_table(const std::filesystem::path& file, const RegressResults& checked) {
+  if (file.extension() == ".md") return write_file_atomically(file, regress_markdown(checked));
+  const Staging staging(std::filesystem::temp_directory_path());
+  write_file_atomically(staging.folder() / "regress.json", regress_json(checked));
+  write_report(staging.folder(), file);
+}
+
+/// The same runs as 'validate' shows them: pictures, faults, everything in results.json, and before and after.
 void write_results_folder(const LoadedSuite& suite, Renderer& realtime, const GlobalOptions& global,
                           const RegressResults& checked, Progress& progress) {
   ValidationPlan plan;
@@ -149,8 +157,8 @@ void write_results_folder(const LoadedSuite& suite, Renderer& realtime, const Gl
   const Results results = run_validation(suite.scenes, plan, {*reference, realtime}, global.out, progress);
   const std::filesystem::path out = global.out;
   write_file_atomically(out / "results.json", to_json_text(results));
+  write_file_atomically(out / "regress.json", regress_json(checked));
   write_report(out, out / "report.html");
-  write_file_atomically(out / "regress.html", regress_html(checked));
   print_note(fmt::format("wrote {}", (out / "report.html").string()));
 }
 
@@ -190,9 +198,7 @@ int check(const RegressOptions& options, const GlobalOptions& global) {
   const RegressRenderers renderers = renderers_of(*realtime, global.threads);
   const RegressResults results = check_suite(suite.scenes, suite.plan, baseline, renderers, progress);
   if (!options.junit.empty()) write_file_atomically(options.junit, junit_xml(results));
-  if (!options.report.empty())
-    write_file_atomically(
-        options.report, options.report.ends_with(".md") ? regress_markdown(results) : regress_html(results));
+  if (!options.report.empty()) write_table(options.report, results);
   if (!global.out.empty()) write_results_folder(suite, *realtime, global, results, progress);
   print_answer(global.json ? regress_json(results) : regress_text(results));
   if (!options.annotate.empty()) print_answer(github_annotations(results));
@@ -252,7 +258,7 @@ void add_regress(CLI::App& app, CommandLine& line) {
   check_part->add_option("--reason", options->reason, "why it may change; kept in the baseline");
   CLI::App* prove_part =
       add_part(*verb, line, options, "prove",
-               "put the selftest's faults through a baseline's text: each must be found", prove);
+               "record and check the selftest's faults: each must be found", prove);
   prove_part->add_option("--scene", options->proof_scenes, "only this scene's faults; repeatable")
       ->allow_extra_args(false);
 }

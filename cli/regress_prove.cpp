@@ -43,7 +43,7 @@ int prove_regress(const std::vector<std::string>& scenes, const GlobalOptions& g
   settings.scratch_folder = staging.folder();
   ProgressBar progress;
   const std::vector<ProvedFault> faults =
-      prove_faults(jobs, settings, {*reference, *reference, *realtime}, {}, progress);
+      prove_faults(jobs, settings, {*reference, *reference, *realtime}, kProofSamples, {}, progress);
   if (faults.empty()) fail_input("no fault is written for these scenes");
   print_answer(proof_markdown(faults));
   const auto found = std::ranges::count_if(faults, &ProvedFault::is_found);

@@ -166,14 +166,18 @@ void publish(const std::filesystem::path& staged, const std::filesystem::path& o
   }
 }
 
-/// Images always: nobody else may have touched them. Numbers and page only when they are not there already.
-void publish_results(const std::filesystem::path& staged, const std::filesystem::path& out,
+/// Images always: nobody else may have touched them. Numbers and page only when they are not there already: false then.
+bool publish_results(const std::filesystem::path& staged, const std::filesystem::path& out,
                      const std::string& json, LateStore& store) {
-  if (is_page_current(store, out, json)) return publish(staged, out, {"images"});
+  if (is_page_current(store, out, json)) {
+    publish(staged, out, {"images"});
+    return false;
+  }
   write_file_atomically(staged / "results.json", json);
-  write_report(staged, staged / "report.html");
+  write_report(staged, staged / "report.html", kPageBudget_bytes, out);
   publish(staged, out, {"images", "results.json", "report-data", "report.html"});
   if (store.exists()) remember_page(store, out, json);
+  return true;
 }
 
 int verdict(const Results& results) {
@@ -233,10 +237,11 @@ int validate(const ValidateOptions& options, const GlobalOptions& global) {
   if (store.exists()) realtime.remember();
   for (size_t i = 0; store.exists() && i < work.names.size(); ++i)
     remember_scene(store, work.names[i], search, work.scenes[i]);
-  publish_results(staging.folder(), out, to_json_text(results), store);
+  const bool is_new = publish_results(staging.folder(), out, to_json_text(results), store);
   print_answer(global.json ? to_json_text_with_work(results) : validation_text(results, options.details));
   print_note(work_line(results.work));
-  print_note(fmt::format("wrote {}", (out / "report.html").string()));
+  const std::string page = (out / "report.html").string();
+  print_note(is_new ? fmt::format("wrote {}", page) : fmt::format("{} is of these results already", page));
   return code;
 }
 

@@ -1,6 +1,6 @@
 #include "report/facts.h"
 
-#include "report/html.h"
+#include "core/html.h"
 #include "study/diagnosis_format.h"
 #include "study/format.h"
 #include "study/judgement_format.h"

@@ -39,14 +39,16 @@ std::string script_safe(std::string json) {
   return json;
 }
 
-std::string page_data(const Results& results, const std::filesystem::path& folder, PlaneStore& store) {
+std::string page_data(const Results& results, const std::filesystem::path& folder,
+                      const std::filesystem::path& beside, const Json& benches, PlaneStore& store) {
   Json scenes = Json::array();
   for (const SceneResult& scene : results.scenes) {
     scenes.push_back(add_scene_planes(scene, scenes.size(), folder, store));
   }
   const Json data{{"results", Json::parse(to_json_text(results))},
                   {"scenes", scenes},
-                  {"bias_sweeps", read_bias_sweeps(folder)},
+                  {"bias_sweeps", read_bias_sweeps(beside)},
+                  {"benches", benches},
                   {"palette", palette_json()},
                   {"data_folder", store.has_files() ? Json(store.folder_name()) : Json(nullptr)}};
   return script_safe(data.dump(-1, ' ', false, Json::error_handler_t::replace));

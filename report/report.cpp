@@ -1,63 +1,28 @@
 #include "report/report.h"
 
 #include "core/files.h"
+#include "core/html.h"
 #include "report/assets.h"
+#include "report/bench_part.h"
 #include "report/facts.h"
 #include "report/html.h"
+#include "report/legend.h"
 #include "report/page_data.h"
-#include "report/plane_code.h"
+#include "report/regress_part.h"
 #include "report/scene_section.h"
+#include "report/stress_part.h"
 #include "report/summary.h"
 #include "report/table.h"
-#include "study/pictures.h"
 #include "study/results_json.h"
 
 #include <fmt/format.h>
 
 #include <limits>
+#include <optional>
 #include <set>
 
 namespace umbrameter {
 namespace {
-
-std::string css(const Rgb8& colour) {
-  return fmt::format("rgb({},{},{})", colour[0], colour[1], colour[2]);
-}
-
-std::string swatch(const Rgb8& colour, std::string_view text) {
-  return fmt::format("<li><span class=\"swatch\" style=\"background:{}\"></span>{}</li>", css(colour),
-                     escape_html(text));
-}
-
-std::string quantisation() {
-  return fmt::format(
-      "<p>Pixels inside this page: V in steps of 1/{:.0f}, R of 1/{:.0f}, standard error and blocker "
-      "distance as half "
-      "floats (11 bits), positions in 65535 steps over their range. Read-outs, maps, profiles and z are of "
-      "these; every other "
-      "number is that of results.json.</p>",
-      1.0 / kTestVisibilityCode.step, 1.0 / kReferenceVisibilityCode.step);
-}
-
-std::string legend() {
-  const std::string ramp = fmt::format("linear-gradient(to right,{},{},{})", css(kTooDarkColour),
-                                       css(kNoErrorColour), css(kTooBrightColour));
-  std::string html = fmt::format(
-      "<p>Visibility: grey, byte = 255 V; black sees nothing of the light, white all of it.</p>"
-      "<p>Signed error V - R, the same scale everywhere; beyond it the colour is clipped and the share is "
-      "stated:</p><div class=\"ramp\" style=\"background:{0}\" role=\"img\" aria-label=\"blue too dark, "
-      "white no "
-      "error, red too bright\"></div><div class=\"ramp-ends\"><span>-{1} too "
-      "dark</span><span>0</span><span>+{1} "
-      "too bright</span></div><ul class=\"swatches\">",
-      ramp, kSignedErrorScale);
-  html += swatch(kBackgroundColour, "nothing hit") + swatch(kUnscoredColour, "not scored");
-  html += "</ul><p>Parity:</p><ul class=\"swatches\">";
-  for (const ParityLegend& entry : parity_legend()) html += swatch(entry.colour, entry.text);
-  html += "</ul><p>Faults:</p><ul class=\"swatches\">";
-  for (const FaultLegend& entry : fault_legend()) html += swatch(entry.colour, entry.text);
-  return html + "</ul>" + quantisation();
-}
 
 std::string skipped_list(const Results& results) {
   if (results.skipped.empty()) return "<p>Nothing was skipped.</p>";
@@ -95,43 +60,60 @@ std::string context(const Results& results) {
 std::string scripts() {
   std::string text;
   for (const char* name : {"planes.js", "noise.js", "layers.js", "viewer.js", "viewer_draw.js",
-                           "viewer_keys.js", "profile.js", "charts.js", "sweeps.js", "table.js", "page.js"}) {
+                           "viewer_keys.js", "profile.js", "charts.js", "sweeps.js", "bench.js", "stress.js", "table.js", "page.js"}) {
     text += report_asset(name);
   }
   return text;
 }
 
-}  // namespace
+/// Where results.json with its pictures lies, and what other verbs left (report/side_files.h).
+struct Places {
+  std::filesystem::path folder, beside;
+};
 
-std::string report_html(const Results& results, const std::filesystem::path& folder, PlaneStore& store) {
-  const std::string data = page_data(results, folder, store);
+std::string page_html(const std::optional<Results>& given, const Places& places, PlaneStore& store) {
+  const Results results = given.value_or(Results());
+  const SidePart bench = bench_part(places.beside);
+  const RegressPart regress = regress_part(places.beside, results);
+  const std::string data = page_data(results, places.folder, places.beside, bench.plots, store);
   std::string scenes;
   for (size_t i = 0; i < results.scenes.size(); ++i) scenes += scene_section(results, i);
-  return fill_template(report_asset("page.html"), {{"file_scripts", store.has_files() ? " file:" : ""},
-                                                   {"style", std::string(report_asset("page.css"))},
-                                                   {"chart", std::string(report_asset("chart.min.js"))},
-                                                   {"script", scripts()},
-                                                   {"context", escape_html(context(results))},
-                                                   {"verdict", summary_verdicts(results)},
-                                                   {"rows", summary_rows(results)},
-                                                   {"legend", legend()},
-                                                   {"skipped", skipped_list(results)},
-                                                   {"data", data},
-                                                   {"planes", store.blocks()},
-                                                   {"scenes", scenes}});
+  return fill_template(
+      report_asset("page.html"),
+      {{"file_scripts", store.has_files() ? " file:" : ""},
+       {"style", std::string(report_asset("page.css"))},
+       {"chart", std::string(report_asset("chart.min.js"))},
+       {"script", scripts()},
+       {"context", given ? escape_html(context(results)) : "No results.json here: numbers of other commands alone."},
+       {"hidden", given ? "" : " hidden"},
+       {"verdict", regress.verdict + summary_verdicts(results)},
+       {"rows", summary_rows(results)},
+       {"regress", regress.html},
+       {"bench", bench.html},
+       {"stress", stress_part(places.beside)},
+       {"legend", legend()},
+       {"skipped", skipped_list(results)},
+       {"data", data},
+       {"planes", store.blocks()},
+       {"scenes", scenes}});
 }
+
+}  // namespace
 
 std::string report_html(const Results& results, const std::filesystem::path& folder) {
   PlaneStore store({}, std::numeric_limits<size_t>::max());
-  return report_html(results, folder, store);
+  return page_html(results, {folder, folder}, store);
 }
 
-void write_report(const std::filesystem::path& folder, const std::filesystem::path& html_file,
-                  size_t budget_bytes) {
+void write_report(const std::filesystem::path& folder, const std::filesystem::path& html_file, size_t budget_bytes,
+                  const std::filesystem::path& beside) {
+  const Places places{folder, beside.empty() ? folder : beside};
   const std::filesystem::path results_file = folder / "results.json";
-  const Results results = parse_results(read_file(results_file), results_file.string());
+  std::optional<Results> results;
+  if (std::filesystem::exists(results_file) || side_files(places.beside).empty())
+    results = parse_results(read_file(results_file), results_file.string());
   PlaneStore store(data_folder(html_file), budget_bytes);
-  write_file_atomically(html_file, report_html(results, folder, store));
+  write_file_atomically(html_file, page_html(results, places, store));
 }
 
 std::filesystem::path data_folder(const std::filesystem::path& html_file) {

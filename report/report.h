@@ -14,10 +14,11 @@ namespace umbrameter {
 /// missing. Every number in the table has its full precision in a data-value attribute.
 std::string report_html(const Results& results, const std::filesystem::path& folder);
 
-/// Reads `folder`/results.json and writes `html_file` atomically; pixels beyond the budget go to data_folder(html_file)
-/// before it. Error{input} for a missing or malformed one.
+/// Reads `folder`/results.json and what other verbs left in `beside` (report/side_files.h; empty: in `folder`), and writes
+/// `html_file` atomically; pixels beyond the budget go to data_folder(html_file) before it. Without results.json the page
+/// is of the others alone. Error{input} for a malformed file, or when there is none.
 void write_report(const std::filesystem::path& folder, const std::filesystem::path& html_file,
-                  size_t budget_bytes = kPageBudget_bytes);
+                  size_t budget_bytes = kPageBudget_bytes, const std::filesystem::path& beside = {});
 
 /// report.html -> report-data.
 std::filesystem::path data_folder(const std::filesystem::path& html_file);

@@ -1,7 +1,7 @@
 #include "report/scene_section.h"
 
+#include "core/html.h"
 #include "report/facts.h"
-#include "report/html.h"
 #include "report/table.h"
 #include "study/format.h"
 

@@ -1,6 +1,6 @@
 #include "report/summary.h"
 
-#include "report/html.h"
+#include "core/html.h"
 #include "report/table.h"
 #include "study/diagnosis_format.h"
 #include "study/format.h"

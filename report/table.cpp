@@ -1,6 +1,7 @@
 #include "report/table.h"
 
-#include "report/html.h"
+#include "core/html.h"
+#include "report/html_table.h"
 #include "study/diagnosis_format.h"
 #include "study/format.h"
 #include "study/judgement_format.h"
@@ -11,14 +12,6 @@
 
 namespace umbrameter {
 namespace {
-
-/// A number that sorts by its full-precision value; absent ones sort last.
-std::string number_cell(std::string_view column, const std::optional<double>& value,
-                        const std::string& text) {
-  const std::string data = value ? fmt::format("{}", *value) : "";
-  return fmt::format("<td class=\"number\" data-column=\"{}\" data-value=\"{}\">{}</td>", column, data,
-                     escape_html(text));
-}
 
 std::optional<double> value_of(const std::optional<Interval>& interval) {
   return interval ? std::optional(interval->value) : std::nullopt;

@@ -1,7 +1,7 @@
 #include "report/tune_files.h"
 
 #include "core/error.h"
-#include "core/files.h"
+#include "report/side_files.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -14,17 +14,6 @@ namespace umbrameter {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::vector<std::filesystem::path> tune_files(const std::filesystem::path& folder) {
-  std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    if (entry.is_regular_file() && name.starts_with("tune") && name.ends_with(".json"))
-      files.push_back(entry.path());
-  }
-  std::ranges::sort(files);
-  return files;
-}
 
 /// A row of numbers as long as `count`; null where nothing could be measured.
 Json row(const Json& sweep, const char* name, size_t count, const std::string& file) {
@@ -70,19 +59,13 @@ Json sweep_json(const Json& sweep, const Json& document, const std::string& file
 
 Json read_bias_sweeps(const std::filesystem::path& folder) {
   Json sweeps = Json::array();
-  for (const std::filesystem::path& path : tune_files(folder)) {
-    try {
-      const Json document = Json::parse(read_file(path));
-      if (!document.contains("bias_sweep")) continue;
-      const Json& found = document.at("bias_sweep");
-      if (found.is_null()) continue;
-      const Json list = found.is_array() ? found : Json::array({found});
-      for (const Json& sweep : list) sweeps.push_back(sweep_json(sweep, document, path.filename().string()));
-    } catch (const nlohmann::json::exception& error) {  // a foreign exception becomes ours here
-      fail_input(fmt::format("not a tuning result: {}", error.what()), {path.string()},
-                 "make it again with 'umbrameter tune', or move it elsewhere");
-    }
-  }
+  for_side_files(folder, "tune", [&](const Json& document, const std::string& file) {
+    if (!document.contains("bias_sweep")) return;
+    const Json& found = document.at("bias_sweep");
+    if (found.is_null()) return;
+    const Json list = found.is_array() ? found : Json::array({found});
+    for (const Json& sweep : list) sweeps.push_back(sweep_json(sweep, document, file));
+  });
   return sweeps;
 }
 

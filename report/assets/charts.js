@@ -11,6 +11,12 @@ function axis(title, more) {
   return {title: {display: true, text: title, color: colours.ink}, grid: {color: colours.line}, ticks: {color: colours.quiet}, ...more};
 }
 
+// Where `value` lies; what a logarithmic axis cannot show lies at its end.
+function pixelOn(scale, value) {
+  if (scale.type !== "logarithmic" || value > 0) return scale.getPixelForValue(value);
+  return scale.axis === "x" ? scale.left : scale.bottom;
+}
+
 // Bars of a point's low..high in x and y.
 const intervalBars = {
   id: "intervalBars",
@@ -18,9 +24,9 @@ const intervalBars = {
     const {ctx, scales: {x, y}} = chart;
     chart.data.datasets.forEach(set => set.data.forEach(point => {
       if (!point?.bars) return;
-      const [x0, x1, y0, y1] = [x.getPixelForValue(point.bars.x[0]), x.getPixelForValue(point.bars.x[1]),
-                                y.getPixelForValue(point.bars.y[0]), y.getPixelForValue(point.bars.y[1])];
-      const xm = x.getPixelForValue(point.x), ym = y.getPixelForValue(point.y);
+      const [x0, x1, y0, y1] = [pixelOn(x, point.bars.x[0]), pixelOn(x, point.bars.x[1]),
+                                pixelOn(y, point.bars.y[0]), pixelOn(y, point.bars.y[1])];
+      const xm = pixelOn(x, point.x), ym = pixelOn(y, point.y);
       ctx.strokeStyle = set.borderColor;
       ctx.lineWidth = 1;
       ctx.beginPath();
@@ -30,6 +36,26 @@ const intervalBars = {
       ctx.lineTo(xm, y1);
       ctx.stroke();
     }));
+  },
+};
+
+// Names beside the points of sets with `hasNames`, as long as they do not cover each other.
+const pointNames = {
+  id: "pointNames",
+  afterDatasetsDraw(chart) {
+    const {ctx, chartArea, scales: {x, y}} = chart, kHeight_px = 12, kGap_px = 8, taken = [];
+    ctx.font = "11px system-ui, sans-serif";
+    ctx.fillStyle = themeColours().ink;
+    for (const set of chart.data.datasets.filter(data => data.hasNames)) {
+      for (const point of set.data) {
+        const width = ctx.measureText(point.label).width, right = pixelOn(x, point.x) + kGap_px;
+        const left = right + width > chartArea.right ? right - 2 * kGap_px - width : right, bottom = pixelOn(y, point.y) - 4;
+        const covers = box => left < box.right && left + width > box.left && bottom - kHeight_px < box.bottom && bottom > box.bottom - kHeight_px;
+        if (left < chartArea.left || taken.some(covers)) continue;
+        taken.push({left, right: left + width, bottom});
+        ctx.fillText(point.label, left, bottom);
+      }
+    }
   },
 };
 
@@ -62,7 +88,7 @@ function putChart(owner, role, config) {
     return;
   }
   const canvas = owner.root.querySelector(`canvas[data-role="${role}"]`);
-  owner.charts[role] = new Chart(canvas, {...config, options: chartOptions(config.options), plugins: [intervalBars, safeWindow]});
+  owner.charts[role] = new Chart(canvas, {...config, options: chartOptions(config.options), plugins: [intervalBars, safeWindow, pointNames]});
 }
 
 function timePoint(run, index) {
@@ -77,27 +103,41 @@ function isDominated(point, all) {
   return all.some(other => other.bars.x[1] < point.bars.x[0] && other.bars.y[1] < point.bars.y[0]);
 }
 
+// The axis of errors: logarithmic where all of them are positive.
+function errorAxis(title, points) {
+  if (points.every(point => point.y > 0)) return axis(title, {type: "logarithmic"});
+  return axis(title, {min: Math.min(0, ...points.map(point => point.bars.y[0])), suggestedMax: Math.max(...points.map(point => point.bars.y[1]))});
+}
+
+// Time against error: the front joined, the rest hollow, `marked` ones larger. `more`: further sets.
+function timesConfig(points, isOnFront, isMarked, more, options) {
+  const colours = themeColours();
+  const front = points.filter(isOnFront).sort((a, b) => a.x - b.x), rest = points.filter(point => !isOnFront(point));
+  const set = (label, data, style) => ({label, data, pointRadius: data.map(point => isMarked(point) ? 8 : 5), ...style});
+  return {
+    type: "scatter",
+    data: {datasets: [
+      set("front", front, {borderColor: colours.second, backgroundColor: colours.second, pointStyle: "circle", showLine: true, stepped: true, borderWidth: 1, hasNames: true}),
+      set("dominated", rest, {borderColor: colours.quiet, backgroundColor: "transparent", pointStyle: "rectRot"}),
+      ...more,
+    ]},
+    options: {
+      scales: {x: axis("time of a frame, ms", {type: "logarithmic"}), y: errorAxis("RMSE of V", points)},
+      plugins: {tooltip: {callbacks: {label: item => `${item.raw.label}: ${item.raw.x.toPrecision(3)} ms, RMSE ${item.raw.y.toFixed(5)}`}}},
+      ...options,
+    },
+  };
+}
+
 function drawTimes(viewer) {
   const points = viewer.scene.techniques.map(timePoint).filter(point => point);
   part(viewer, "times-box").hidden = points.length === 0;
-  const colours = themeColours();
-  const front = points.filter(point => !isDominated(point, points)).sort((a, b) => a.x - b.x);
-  const rest = points.filter(point => isDominated(point, points));
-  const set = (label, data, style) => ({label, data, pointRadius: data.map(point => point.run === viewer.runIndex ? 8 : 5), ...style});
-  const lowest = Math.min(0, ...points.map(point => point.bars.y[0])), highest = Math.max(...points.map(point => point.bars.y[1]));
-  viewer.front = front.map(point => point.label);
-  putChart(viewer, "times", {
-    type: "scatter",
-    data: {datasets: [
-      set("front", front, {borderColor: colours.second, backgroundColor: colours.second, pointStyle: "circle", showLine: true, stepped: true, borderWidth: 1}),
-      set("dominated", rest, {borderColor: colours.quiet, backgroundColor: "transparent", pointStyle: "rectRot"}),
-    ]},
-    options: {
-      scales: {x: axis("time of a frame, ms", {type: "logarithmic"}), y: axis("RMSE of V", {min: lowest, suggestedMax: highest})},
-      onClick: (event, hits, chart) => { if (hits[0]) show(viewer, chart.data.datasets[hits[0].datasetIndex].data[hits[0].index].run, viewer.otherIndex); },
-      plugins: {tooltip: {callbacks: {label: item => `${item.raw.label}: ${item.raw.x.toPrecision(3)} ms, RMSE ${item.raw.y.toFixed(5)}`}}},
-    },
-  });
+  if (points.length === 0) return;
+  const isOnFront = point => !isDominated(point, points);
+  viewer.front = points.filter(isOnFront).map(point => point.label);
+  putChart(viewer, "times", timesConfig(points, isOnFront, point => point.run === viewer.runIndex, [], {
+    onClick: (event, hits, chart) => { if (hits[0]) show(viewer, chart.data.datasets[hits[0].datasetIndex].data[hits[0].index].run, viewer.otherIndex); },
+  }));
 }
 
 function drawHardening(viewer) {

@@ -8,6 +8,10 @@ function applyTheme() {
   button.textContent = isDark ? "Light" : "Dark";
   button.setAttribute("aria-pressed", String(isDark));
   for (const owner of sweepCharts) drawSweep(owner);
+  for (const owner of benchCharts) {
+    drawBench(owner);
+    drawTruthCurve(owner);
+  }
   for (const viewer of viewers.values()) {
     if (!viewer.shown) continue;
     draw(viewer);
@@ -42,9 +46,23 @@ function onPageKey(event) {
   actions[event.key]();
 }
 
+// A link to every part that is there.
+function fillContents() {
+  for (const section of document.querySelectorAll("main > section:not([hidden])")) {
+    const link = document.createElement("a");
+    link.href = "#" + section.id;
+    link.textContent = section.querySelector("h2").textContent.replace(/:.*/, "");
+    document.getElementById("contents").append(link);
+  }
+}
+
 function start() {
-  listenToTable(document.getElementById("results"));
+  for (const table of document.querySelectorAll("table.sortable")) listenToHeadings(table);
+  listenToFilter(document.getElementById("results"));
+  for (const table of document.querySelectorAll("table[role=grid]")) listenToMap(table);
   makeSweeps();
+  makeBenches();
+  fillContents();
   applyTheme();
   document.getElementById("theme").addEventListener("click", toggleTheme);
   document.getElementById("show-keys").addEventListener("click", () => document.getElementById("keys").showModal());

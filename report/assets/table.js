@@ -1,4 +1,4 @@
-// The summary table: sorted by a heading, filtered by words and a choice.
+// Tables: sorted by a heading; the summary is filtered by words and a choice, too.
 
 // The cell that stands in column `index`, counting columns that a spanning cell covers.
 function cellAt(row, index) {
@@ -45,10 +45,13 @@ function filterTable(table) {
   document.getElementById("filter-count").textContent = `${shown} of ${table.tBodies[0].rows.length} runs`;
 }
 
-function listenToTable(table) {
+function listenToHeadings(table) {
   for (const header of table.tHead.rows[0].cells) {
     header.querySelector("button").addEventListener("click", () => sortTable(table, header));
   }
+}
+
+function listenToFilter(table) {
   const choice = document.getElementById("filter-scene");
   for (const scene of results.scenes) addOption(choice, scene.name, scene.name);
   for (const id of ["filter", "filter-scene"]) {

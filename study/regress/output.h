@@ -1,5 +1,5 @@
 #pragma once
-// A check as others read it: people, CI servers, programs. Not here: the results folder (report/).
+// A check as others read it: people, CI servers, programs. Not here: the page (report/regress_part.h).
 
 #include "study/regress/run.h"
 
@@ -12,9 +12,8 @@ std::string regress_text(const RegressResults& results);
 
 /// Before and after of every case, as a table.
 std::string regress_markdown(const RegressResults& results);
-/// The same as a page that needs nothing else.
-std::string regress_html(const RegressResults& results);
 
+/// Everything (docs/regress.md), as the report reads it.
 std::string regress_json(const RegressResults& results);
 
 /// JUnit's XML: a test suite a scene, a test case a run. Characters that XML has no place for become '?'.

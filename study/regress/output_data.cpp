@@ -27,7 +27,8 @@ Json gate_json(const GateVerdict& gate) {
     measures.push_back({{"class", name_of(m.kind)},
                         {"value", optional_json(m.value)},
                         {"baseline", optional_json(m.baseline)},
-                        {"allowed", m.allowed}});
+                        {"allowed", m.allowed},
+                        {"severity", m.value ? Json(m.severity()) : Json(nullptr)}});
   }
   return measures;
 }
@@ -103,7 +104,8 @@ std::string regress_json(const RegressResults& results) {
                       {"truth_hash", scene.truth.hash},
                       {"truth_device", scene.truth.device}});
   }
-  return dump({{"suite", results.suite},
+  return dump({{"schema", 1},
+               {"suite", results.suite},
                {"width_px", results.width_px},
                {"height_px", results.height_px},
                {"seed", results.seed},

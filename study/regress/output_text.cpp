@@ -1,5 +1,5 @@
 #include "study/format.h"
-#include "study/html_text.h"
+#include "study/table_text.h"
 #include "study/regress/output.h"
 
 #include <fmt/format.h>
@@ -59,15 +59,6 @@ std::string summary(const RegressResults& results) {
                      results.count(CaseOutcome::fail), results.width_px, results.height_px, results.seed);
 }
 
-constexpr const char* kHtmlHead =
-    "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
-    "content=\"width=device-width\">\n<title>Regression</title>\n<style>\n"
-    ":root { color-scheme: light dark; font: 15px/1.4 system-ui, sans-serif }\n"
-    "table { border-collapse: collapse } td, th { padding: .3em .7em; text-align: left; vertical-align: top; "
-    "border-bottom: 1px solid #8886 }\n"
-    ".fail { background: #d0303033 } .undecided { background: #d0a03033 } .better { background: #30a05033 }\n"
-    "</style></head><body>\n";
-
 }  // namespace
 
 std::string regress_text(const RegressResults& results) {
@@ -95,20 +86,6 @@ std::string regress_markdown(const RegressResults& results) {
   text += line(Row(kHeadings.size(), "---"));
   for (const Row& row : rows_of(results)) text += line(row);
   return text;
-}
-
-std::string regress_html(const RegressResults& results) {
-  std::string text = std::string(kHtmlHead) + "<h1>Regression</h1>\n<p>" + html_escaped(summary(results)) +
-                     "</p>\n<table>\n<tr>";
-  for (const std::string& heading : kHeadings) text += "<th scope=\"col\">" + html_escaped(heading) + "</th>";
-  text += "</tr>\n";
-  const std::vector<Row> rows = rows_of(results);
-  for (size_t k = 0; k < rows.size(); ++k) {
-    text += fmt::format("<tr class=\"{}\">", name_of(results.cases[k].verdict.outcome));
-    for (const std::string& cell : rows[k]) text += "<td>" + html_escaped(cell) + "</td>";
-    text += "</tr>\n";
-  }
-  return text + "</table>\n</body></html>\n";
 }
 
 std::string github_annotations(const RegressResults& results) {

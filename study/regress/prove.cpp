@@ -1,71 +1,158 @@
 #include "study/regress/prove.h"
 
+#include "study/metadata.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 namespace umbrameter {
 namespace {
 
-/// Written and read again, as between a record and a check.
-CaseNumbers through_text(const CaseNumbers& numbers) {
-  BaselineScene scene = {"scene", "", {}, {}};
-  put_run(scene, {"run", "", "", "", "", numbers, {}});
-  const Baseline baseline = {"proof", 1, 1, {}, {scene}};
-  return parse_baseline(to_toml_text(baseline), "baseline.toml").scenes.front().runs.front().numbers;
+constexpr uint64_t kRecordSeed = 1001, kCheckSeed = 1;  // so that they share no sample
+
+using MakePicture = std::function<Image(Stage&)>;
+
+/// A stage as a renderer: the picture of the request's seed.
+class StagedPicture : public Renderer {
+ public:
+  StagedPicture(Stage& stage, MakePicture make) : stage_(stage), make_(std::move(make)) {}
+  Frame render(const Scene&, const RenderRequest& request, Progress&) override {
+    stage_.repeat(request.seed);
+    Frame frame;
+    frame.image = make_(stage_);
+    return frame;
+  }
+
+ private:
+  Stage& stage_;
+  MakePicture make_;
+};
+
+/// Its truth, of as many parts as it takes.
+class StagedTruth : public Renderer {
+ public:
+  StagedTruth(Stage& stage, MakePicture make, int parts) : picture_(stage, std::move(make)), parts_(parts) {}
+  Frame render(const Scene& scene, const RenderRequest& request, Progress& progress) override {
+    constexpr uint64_t kApart = 10;  // a stage takes two seeds in a row
+    Frame frame = picture_.render(scene, request, progress);
+    RenderRequest next = request;
+    for (int part = 1; part < parts_; ++part) {
+      next.seed += kApart;
+      add_samples(frame.image, picture_.render(scene, next, progress).image);
+    }
+    return frame;
+  }
+
+ private:
+  StagedPicture picture_;
+  int parts_;
+};
+
+RegressPlan plan_of(const SelftestSettings& settings, int samples_per_pixel, const RegressGates& gates) {
+  RegressPlan plan;
+  plan.suite = "proof";
+  plan.width_px = settings.width_px;
+  plan.height_px = settings.height_px;
+  plan.samples_per_pixel = samples_per_pixel;
+  plan.most_samples_per_pixel = 2 * samples_per_pixel;
+  plan.gates = gates;
+  TechniqueRun run;
+  run.label = "run";
+  run.lights = {LightType::rect, LightType::disk, LightType::sphere, LightType::sun};
+  plan.runs = {run};
+  return plan;
 }
 
-CaseVerdict judge_void(const GateRun& run) {
-  const GateVerdict gate = judge_gate(run, nullptr, false);
-  if (!gate.measures.empty() || !gate.kind) return {};
-  return {CaseOutcome::fail, std::string(name_of(*gate.kind)), std::string(name_of(*gate.kind)), gate};
+/// One scene with what was recorded of it.
+struct Proof {
+  const SceneJob& job;
+  Stage& stage;
+  RegressPlan plan;
+  std::map<std::string, Baseline> baselines;  // by choice
+
+  RegressRenderers renderers(Renderer& realtime, const MakePicture& truth) const {
+    return {realtime, [this, truth](int samples) -> std::unique_ptr<Renderer> {
+              return std::make_unique<StagedTruth>(stage, truth, samples / plan.samples_per_pixel);
+            }};
+  }
+};
+
+Image true_picture(Stage& stage) {
+  return stage.truth();
 }
 
-CaseVerdict judge_trial(const Trial& trial, Stage& stage, const RegressGates& gates) {
-  GateRun run;
-  run.failure = trial.failure;
-  if (!run.failure)
-    run = examine(trial.picture, trial.truth ? *trial.truth : stage.truth(), stage.eye_world(), trial.metric)
-              .run;
-  const CaseVerdict voided = judge_void(run);
-  if (!voided.kind.empty()) return voided;
-  const GateRun& before = trial.baseline ? stage.examined(*trial.baseline).run : stage.examined_exact().run;
-  const auto now = case_numbers(run), then = case_numbers(before);
-  UMBRAMETER_ASSERT(now && then, "a trial of '{}' has no numbers", stage.name());
-  return judge_case(*now, through_text(*then), gates);
+/// Of a technique, or of the exact picture: measured, written and read again.
+const Baseline& recorded(const std::optional<TechniqueChoice>& choice, Proof& proof) {
+  const std::string key = choice ? choice->technique + " " + to_text(choice->parameters) : "";
+  const auto [found, is_new] = proof.baselines.try_emplace(key);
+  if (!is_new) return found->second;
+  StagedPicture realtime(proof.stage, [&](Stage& stage) { return choice ? stage.picture(*choice) : stage.exact(); });
+  RegressPlan plan = proof.plan;
+  plan.seed = kRecordSeed;
+  SilentProgress silent;
+  const RegressResults measured = measure_suite({&proof.job, 1}, plan, proof.renderers(realtime, true_picture), silent);
+  found->second = parse_baseline(to_toml_text(baseline_of(measured, {"", "proof", "", {}})), "baseline.toml");
+  return found->second;
+}
+
+Image faulty_picture(Trial trial) {
+  if (trial.failure) throw Error(trial.failure->kind, trial.failure->message);
+  return std::move(trial.picture);
+}
+
+ProvedFault proved(const FaultCase& fault, Proof& proof) {
+  proof.stage.repeat(kCheckSeed);
+  const Trial trial = fault.make(proof.stage);
+  const Baseline& baseline = recorded(trial.baseline, proof);
+  RegressPlan plan = proof.plan;
+  plan.seed = kCheckSeed;
+  plan.metric = trial.metric;
+  StagedPicture realtime(proof.stage, [&](Stage& stage) { return faulty_picture(fault.make(stage)); });
+  const MakePicture truth = [&](Stage& stage) {
+    Trial made = fault.make(stage);
+    return made.truth ? std::move(*made.truth) : stage.truth();
+  };
+  SilentProgress silent;
+  const RegressResults checked =
+      check_suite({&proof.job, 1}, plan, baseline, proof.renderers(realtime, truth), silent);
+  const auto is_run = [](const RegressCase& one) { return one.label == "run"; };
+  return {fault.name, fault.scene, fault.right, *std::ranges::find_if(checked.cases, is_run)};
 }
 
 }  // namespace
 
 bool ProvedFault::is_named() const {
-  return std::ranges::any_of(right, [&](GateClass kind) { return name_of(kind) == verdict.kind; });
+  return std::ranges::any_of(right, [&](GateClass kind) { return name_of(kind) == found.verdict.kind; });
 }
 
 std::vector<ProvedFault> prove_faults(std::span<const SceneJob> jobs, const SelftestSettings& settings,
-                                      SelftestRenderers renderers, const RegressGates& gates,
-                                      Progress& progress) {
-  std::vector<ProvedFault> proved;
+                                      SelftestRenderers renderers, int samples_per_pixel,
+                                      const RegressGates& gates, Progress& progress) {
+  std::vector<ProvedFault> all;
   SilentProgress silent;
   progress.begin("faults", jobs.size());
   for (const SceneJob& job : jobs) {
     Stage stage(job, settings, renderers, silent);
+    Proof proof{job, stage, plan_of(settings, samples_per_pixel, gates), {}};
     for (const FaultCase& fault : fault_list()) {
-      if (fault.scene != job.name) continue;
-      proved.push_back({fault.name, fault.scene, fault.right, judge_trial(fault.make(stage), stage, gates)});
+      if (fault.scene == job.name) all.push_back(proved(fault, proof));
     }
     progress.advance(1);
   }
   progress.end();
-  return proved;
+  return all;
 }
 
 std::string proof_markdown(std::span<const ProvedFault> faults) {
-  std::string text = "| fault | scene | verdict | |\n|---|---|---|---|\n";
+  std::string text = "| fault | scene | verdict | pictures | |\n|---|---|---|---|---|\n";
   size_t found = 0, named = 0;
   for (const ProvedFault& fault : faults) {
     const char* mark = fault.is_named() ? "" : fault.is_found() ? "other class" : "missed";
-    text += fmt::format("| {} | {} | {} | {} |\n", fault.name, fault.scene,
-                        fault.verdict.kind.empty() ? "pass" : fault.verdict.kind, mark);
+    const CaseVerdict& verdict = fault.found.verdict;
+    text += fmt::format("| {} | {} | {} | {} | {} |\n", fault.name, fault.scene,
+                        verdict.kind.empty() ? "pass" : verdict.kind, fault.found.pictures, mark);
     found += fault.is_found() ? 1 : 0;
     named += fault.is_named() ? 1 : 0;
   }

@@ -1,8 +1,8 @@
 #pragma once
-// The mutation suite of the selftest (study/selftest/fault_list.h) against baselines that have been through their text
-// file: does a regression find and name the same faults?
+// The mutation suite of the selftest (study/selftest/fault_list.h) through a whole record and check: does a regression find
+// and name the same faults?
 
-#include "study/regress/judge.h"
+#include "study/regress/run.h"
 #include "study/selftest/fault_list.h"
 
 #include <span>
@@ -14,16 +14,17 @@ namespace umbrameter {
 struct ProvedFault {
   std::string name, scene;
   std::vector<GateClass> right;
-  CaseVerdict verdict;
-  bool is_found() const { return verdict.outcome == CaseOutcome::fail; }
+  RegressCase found;
+  bool is_found() const { return found.verdict.outcome == CaseOutcome::fail; }
   bool is_named() const;
 };
 
-/// Every fault whose scene is among `jobs`. Its technique without the fault is the baseline; where the fault is painted into
-/// the exact picture, that is.
+/// Every fault whose scene is among `jobs`. Its technique without the fault is recorded, the text read back, and the fault
+/// checked against it as a suite is: with more samples and seeds until a failure stands. Where the fault is painted into the
+/// exact picture, that is recorded. `samples_per_pixel`: of one render of `renderers.reference`; a check may have twice.
 std::vector<ProvedFault> prove_faults(std::span<const SceneJob> jobs, const SelftestSettings& settings,
-                                      SelftestRenderers renderers, const RegressGates& gates,
-                                      Progress& progress);
+                                      SelftestRenderers renderers, int samples_per_pixel,
+                                      const RegressGates& gates, Progress& progress);
 
 std::string proof_markdown(std::span<const ProvedFault> faults);
 

@@ -2,6 +2,7 @@
 // Renders what a suite names and judges it against a baseline, or makes one. Sees only Renderer&.
 
 #include "study/regress/baseline.h"
+#include "study/metric_probe.h"
 #include "study/regress/judge.h"
 #include "study/validation.h"
 
@@ -30,6 +31,7 @@ struct RegressPlan {
   double timing_budget_s = 3.0;
   std::vector<TechniqueRun> runs;
   RegressGates gates;
+  ErrorMetric metric = error_metric;  // what the known answers are asked of
 };
 
 /// The label of the case that says that a scene's truth is another; such a case has no numbers.

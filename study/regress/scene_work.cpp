@@ -86,7 +86,7 @@ Measured measure(const SceneWork& work, RunWork& run, const Image& truth, double
   std::vector<CaseNumbers> all;
   for (const Image& picture : run.pictures) {
     if (failed.failure) break;
-    Examined examined = examine(picture, truth, work.job.scene.camera.eye_world);
+    Examined examined = examine(picture, truth, work.job.scene.camera.eye_world, work.plan.metric);
     const GateVerdict verdict = judge_gate(examined.run, nullptr, false);
     const bool is_void = verdict.measures.empty();
     if (is_void) return {not_compared(std::string(name_of(*verdict.kind)), void_message(examined.run)), {}};

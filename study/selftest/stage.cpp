@@ -2,8 +2,10 @@
 
 #include "metrics/truth_check.h"
 #include "study/guard.h"
+#include "study/metadata.h"
 #include "study/score.h"
 
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
 
 #include <array>
@@ -11,7 +13,6 @@
 namespace umbrameter {
 namespace {
 
-constexpr uint64_t kTruthSeed = 1, kExactSeed = 2;
 constexpr double kSamePlace = 1e-3;  // of the distance to the eye
 constexpr std::array kShadowChannels = {
     "visibility",       "visibility_se", "half_a",           "half_b",
@@ -19,10 +20,8 @@ constexpr std::array kShadowChannels = {
     "blocker_layers",   "texel.x",       "texel.y",          "texel_world",
     "bias_world"};
 
-std::string key_of(const TechniqueChoice& choice) {
-  std::string key = choice.technique;
-  for (const auto& [name, value] : choice.parameters) key += " " + name + "=" + to_text(value);
-  return key;
+std::string text_of(const TechniqueChoice& choice) {
+  return choice.technique + " " + to_text(choice.parameters);
 }
 
 glm::dvec3 place(const Image& image, size_t i) {
@@ -72,6 +71,10 @@ Examined examine(const Image& picture, const Image& truth, const glm::dvec3& eye
 Stage::Stage(SceneJob job, const SelftestSettings& settings, SelftestRenderers renderers, Progress& progress)
     : job_(std::move(job)), settings_(settings), renderers_(renderers), progress_(progress) {}
 
+std::string Stage::key_of(const std::string& what) const {
+  return fmt::format("{} {}", seed_, what);
+}
+
 Image Stage::render(Renderer& renderer, const Scene& scene, uint64_t seed, const TechniqueChoice& choice) {
   RenderRequest request;
   request.width_px = settings_.width_px;
@@ -83,19 +86,19 @@ Image Stage::render(Renderer& renderer, const Scene& scene, uint64_t seed, const
 }
 
 const Image& Stage::truth() {
-  const auto [found, is_new] = pictures_.try_emplace("truth");
-  if (is_new) found->second = truth_of(job_.scene, kTruthSeed);
+  const auto [found, is_new] = pictures_.try_emplace(key_of("truth"));
+  if (is_new) found->second = truth_of(job_.scene, seed_);
   return found->second;
 }
 
 const Image& Stage::exact() {
-  const auto [found, is_new] = pictures_.try_emplace("exact");
-  if (is_new) found->second = truth_of(job_.scene, kExactSeed);
+  const auto [found, is_new] = pictures_.try_emplace(key_of("exact"));
+  if (is_new) found->second = truth_of(job_.scene, seed_ + 1);
   return found->second;
 }
 
 const Examined& Stage::examined_exact() {
-  const auto [found, is_new] = examined_.try_emplace("exact");
+  const auto [found, is_new] = examined_.try_emplace(key_of("exact"));
   if (is_new) found->second = examine(exact(), truth(), eye_world());
   return found->second;
 }
@@ -105,16 +108,16 @@ Image Stage::truth_of(const Scene& changed, uint64_t seed) {
 }
 
 Image Stage::truth_of_shadows(const Scene& changed) {
-  return with_shadows_of(truth_of(changed, kExactSeed), truth(), eye_world());
+  return with_shadows_of(truth_of(changed, seed_ + 1), truth(), eye_world());
 }
 
 Image Stage::truth_with_other_threads() {
-  return render(renderers_.reference_other_threads, job_.scene, kTruthSeed, {});
+  return render(renderers_.reference_other_threads, job_.scene, seed_, {});
 }
 
 const Image& Stage::picture(const TechniqueChoice& choice) {
-  const auto [found, is_new] = pictures_.try_emplace(key_of(choice));
-  if (is_new) found->second = picture(choice, kTruthSeed);
+  const auto [found, is_new] = pictures_.try_emplace(key_of(text_of(choice)));
+  if (is_new) found->second = picture(choice, seed_);
   return found->second;
 }
 
@@ -123,13 +126,13 @@ Image Stage::picture(const TechniqueChoice& choice, uint64_t seed) {
 }
 
 const Examined& Stage::examined(const TechniqueChoice& choice) {
-  const auto [found, is_new] = examined_.try_emplace(key_of(choice));
+  const auto [found, is_new] = examined_.try_emplace(key_of(text_of(choice)));
   if (is_new) found->second = examine(picture(choice), truth(), eye_world());
   return found->second;
 }
 
 Image Stage::picture_of_shadows(const TechniqueChoice& choice, const Scene& changed) {
-  return with_shadows_of(render(renderers_.realtime, changed, kTruthSeed, choice), picture(choice),
+  return with_shadows_of(render(renderers_.realtime, changed, seed_, choice), picture(choice),
                          eye_world());
 }
 

@@ -54,6 +54,9 @@ class Stage {
   const SelftestSettings& settings() const { return settings_; }
   const glm::dvec3& eye_world() const { return job_.scene.camera.eye_world; }
 
+  /// Truths and pictures that name no seed are of this one from here on; 1 before.
+  void repeat(uint64_t seed) { seed_ = seed; }
+
   const Image& truth();
   /// The truth again with other samples: a picture without a fault.
   const Image& exact();
@@ -71,12 +74,14 @@ class Stage {
   Image picture_of_shadows(const TechniqueChoice& choice, const Scene& changed);
 
  private:
+  std::string key_of(const std::string& what) const;
   Image render(Renderer& renderer, const Scene& scene, uint64_t seed, const TechniqueChoice& choice);
 
   SceneJob job_;
   SelftestSettings settings_;
   SelftestRenderers renderers_;
   Progress& progress_;
+  uint64_t seed_ = 1;
   std::map<std::string, Image> pictures_;
   std::map<std::string, Examined> examined_;
 };

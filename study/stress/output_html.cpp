@@ -1,4 +1,4 @@
-#include "study/html_text.h"
+#include "core/html.h"
 #include "study/stress/output.h"
 
 #include <fmt/format.h>
@@ -46,24 +46,24 @@ std::string colour_of(const StressRange& range) {
 std::string map_cell(const StressResults& results, const StressAxis& axis, const std::string& row) {
   const StressRange range = range_of(results, axis, row);
   if (!range.applies)
-    return fmt::format("<td class=\"none\" title=\"{}\">-</td>", html_escaped(range.why_not));
+    return fmt::format("<td class=\"none\" title=\"{}\">-</td>", escape_html(range.why_not));
   std::string title = fmt::format("{} of {} values", range.held, range.values);
   for (const auto& end : {range.before, range.after}) {
     if (end) title += fmt::format("; {}: {}", axis.values[end->value].text, end->how);
   }
   return fmt::format("<td style=\"background: {}\" title=\"{}\">{}</td>", colour_of(range),
-                     html_escaped(title), html_escaped(range_text(range, axis)));
+                     escape_html(title), escape_html(range_text(range, axis)));
 }
 
 std::string map_table(const StressResults& results) {
   std::string text = "<div class=\"wide\"><table><thead><tr><th scope=\"col\">technique</th>";
   for (const StressAxis& axis : results.plan.axes) {
-    text += fmt::format("<th scope=\"col\"><a href=\"#{0}\">{0}</a><br>{1}</th>", html_escaped(axis.name),
-                        html_escaped(axis.unit));
+    text += fmt::format("<th scope=\"col\"><a href=\"#{0}\">{0}</a><br>{1}</th>", escape_html(axis.name),
+                        escape_html(axis.unit));
   }
   text += "</tr></thead><tbody>\n";
   for (const std::string& row : results.rows) {
-    text += "<tr><th scope=\"row\">" + html_escaped(row) + "</th>";
+    text += "<tr><th scope=\"row\">" + escape_html(row) + "</th>";
     for (const StressAxis& axis : results.plan.axes) text += map_cell(results, axis, row);
     text += "</tr>\n";
   }
@@ -73,21 +73,21 @@ std::string map_table(const StressResults& results) {
 std::string cell_text(const StressCell& cell) {
   const std::string words = words_for(cell.outcome, cell.how);
   return cell.rmse ? fmt::format("{:.4f}{}", cell.rmse->value,
-                                 cell.outcome == StressOutcome::ok ? "" : "<br>" + html_escaped(words))
-                   : html_escaped(words);
+                                 cell.outcome == StressOutcome::ok ? "" : "<br>" + escape_html(words))
+                   : escape_html(words);
 }
 
 std::string axis_table(const StressResults& results, const StressAxis& axis) {
   std::string text =
       fmt::format("<h2 id=\"{0}\">{0}</h2>\n<p>{1}</p>\n<div class=\"wide\"><table><thead><tr><th></th>",
-                  html_escaped(axis.name), html_escaped(axis.doc));
+                  escape_html(axis.name), escape_html(axis.doc));
   for (size_t value = 0; value < axis.values.size(); ++value) {
-    text += fmt::format("<th scope=\"col\">{}{}</th>", html_escaped(axis.values[value].text),
+    text += fmt::format("<th scope=\"col\">{}{}</th>", escape_html(axis.values[value].text),
                         value == axis.nominal ? "<br>nominal" : "");
   }
   text += "</tr></thead><tbody>\n";
   for (const std::string& row : results.rows) {
-    text += "<tr><th scope=\"row\">" + html_escaped(row) + "</th>";
+    text += "<tr><th scope=\"row\">" + escape_html(row) + "</th>";
     for (size_t value = 0; value < axis.values.size(); ++value) {
       const StressCell* cell = results.find(axis.name, row, value);
       if (cell == nullptr) {
@@ -95,7 +95,7 @@ std::string axis_table(const StressResults& results, const StressAxis& axis) {
         continue;
       }
       text += fmt::format("<td class=\"{}\" title=\"{}\">{}</td>", style_of(cell->outcome),
-                          html_escaped(cell->how), cell_text(*cell));
+                          escape_html(cell->how), cell_text(*cell));
     }
     text += "</tr>\n";
   }
@@ -106,14 +106,14 @@ std::string axis_table(const StressResults& results, const StressAxis& axis) {
 
 std::string stress_html(const StressResults& results) {
   std::string text =
-      std::string(kHead) + "<h1>Stability map</h1>\n<p>" + html_escaped(stress_summary(results)) +
+      std::string(kHead) + "<h1>Stability map</h1>\n<p>" + escape_html(stress_summary(results)) +
       ". Ranges over which the error stays within twice its nominal value, and the first value "
       "that breaks it; green holds everywhere. Numbers are RMSE of visibility.</p>\n" +
       map_table(results);
   const auto violations = results.violations();
   text += fmt::format("<h2>Against the rules: {}</h2>\n<ul>\n", violations.size());
   for (const StressCell* cell : violations)
-    text += "<li>" + html_escaped(violation_text(results, *cell)) + "</li>\n";
+    text += "<li>" + escape_html(violation_text(results, *cell)) + "</li>\n";
   text += "</ul>\n";
   for (const StressAxis& axis : results.plan.axes) text += axis_table(results, axis);
   return text + "</body></html>\n";

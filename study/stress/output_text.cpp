@@ -1,4 +1,4 @@
-#include "study/html_text.h"
+#include "study/table_text.h"
 #include "study/stress/output.h"
 
 #include <fmt/format.h>

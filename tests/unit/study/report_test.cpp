@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "core/html.h"
 #include "report/assets.h"
 #include "report/html.h"
 #include "study/pictures.h"
@@ -24,17 +25,6 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 using testing::ThrowsMessage;
-
-TEST(EscapeHtml, LeavesNoMarkup) {
-  EXPECT_EQ(escape_html("<a href=\"x\">'&'</a>"), "&lt;a href=&quot;x&quot;&gt;&#39;&amp;&#39;&lt;/a&gt;");
-}
-
-TEST(EscapeHtml, KeepsUtf8AndReplacesWhatIsNone) {
-  EXPECT_EQ(escape_html("3 ± 1 µm"), "3 ± 1 µm");
-  EXPECT_EQ(escape_html("a\xC3"), "a\xEF\xBF\xBD");                // cut off
-  EXPECT_EQ(escape_html("\xC0\xBC"), "\xEF\xBF\xBD\xEF\xBF\xBD");  // '<' in two bytes is not UTF-8
-  EXPECT_EQ(escape_html(std::string_view("\0\x1b", 2)), "\xEF\xBF\xBD\xEF\xBF\xBD");
-}
 
 TEST(EncodeBase64, MatchesRfc4648) {
   EXPECT_EQ(encode_base64(""), "");

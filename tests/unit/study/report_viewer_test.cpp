@@ -1,75 +1,19 @@
 // Without these tests the viewer could open to an error, ignore its keys, show other numbers than results.json and the
 // metrics, or not fit a narrow screen. A real browser opens the page from disk and gets real key presses.
 
-#include "tests/support/process.h"
-#include "tests/support/temporary_folder.h"
 #include "tests/unit/study/fakes.h"
+#include "tests/unit/study/report_visit.h"
 
 #include "core/files.h"
 #include "core/image_io.h"
 #include "metrics/significance.h"
-#include "report/report.h"
-#include "study/results_json.h"
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
-
-#include <chrono>
 
 namespace umbrameter {
 namespace {
 
 using Json = nlohmann::json;
 
-/// Shows run `run` of scene 0 against the reference and resolves when it is drawn; the viewer has the focus then.
-std::string ready(int run) {
-  return "(async () => { const viewer = makeViewer(0); if (viewer.runIndex !== " + std::to_string(run) +
-         ") show(viewer, " + std::to_string(run) + ", -1); while (viewer.root.dataset.ready !== '" +
-         std::to_string(run) +
-         " -1') await new Promise(done => setTimeout(done, 20)); await new Promise(requestAnimationFrame);"
-         "await new Promise(requestAnimationFrame); viewer.root.focus(); })()";
-}
-
-Json evaluate(const std::string& script) {
-  return {{"eval", script}};
-}
-
-Json press(const std::string& key) {
-  return {{"key", key}};
-}
-
-/// What is drawn is drawn with the next frame.
-Json next_frame() {
-  return evaluate("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => done())))");
-}
-
-class ReportViewer : public testing::Test {
- protected:
-  void SetUp() override {
-    if (run_process({"chromium", "--version"}).exit_code != 0) GTEST_SKIP() << "chromium is not installed";
-    write_file_atomically(folder_.path() / "results.json", to_json_text(fake_results(folder_.path())));
-  }
-
-  /// Console and values of a visit; values without those that are null.
-  Json visit(const Json& steps, size_t budget_bytes = kPageBudget_bytes) {
-    write_report(folder_.path(), folder_.path() / "report.html", budget_bytes);
-    write_file_atomically(folder_.path() / "steps.json", steps.dump());
-    const ProcessResult result =
-        run_process({"python3", UMBRAMETER_SOURCE_DIR "/tests/support/browser.py",
-                     (folder_.path() / "report.html").string(), (folder_.path() / "steps.json").string(),
-                     (folder_.path() / "profile").string()});
-    EXPECT_EQ(result.exit_code, 0) << result.err;
-    Json seen = result.exit_code == 0 ? Json::parse(result.out) : Json{{"console", {"no visit"}}};
-    Json values = Json::array();
-    for (const Json& value : seen["values"])
-      if (!value.is_null()) values.push_back(value);
-    seen["values"] = values;
-    return seen;
-  }
-
-  TemporaryFolder folder_;
-};
+class ReportViewer : public ReportVisit {};
 
 TEST_F(ReportViewer, ReadsOutWhatWasMeasured) {
   const Json seen =
@@ -145,11 +89,83 @@ TEST_F(ReportViewer, FiltersTheTable) {
   EXPECT_EQ(seen["values"].back(), Json({"off"}));
 }
 
-TEST_F(ReportViewer, FitsANarrowScreen) {
+TEST_F(ReportViewer, FitsANarrowScreenAndAnswersAFinger) {
   const Json seen = visit({{{"size", {360, 740}}, {"before", true}},
+                           {{"touch", true}, {"before", true}},
                            evaluate(ready(1)),
-                           evaluate("document.documentElement.scrollWidth")});
+                           evaluate("document.documentElement.scrollWidth"),
+                           evaluate("viewers.get(0).view.x"),
+                           {{"click", "[data-role='zoom-in']"}},
+                           {{"click", "[data-role='zoom-in']"}},
+                           {{"swipe", "[data-pane='run'] canvas"}, {"by", {-60, 0}}},
+                           next_frame(),
+                           evaluate("viewers.get(0).view.x")});
+  EXPECT_EQ(seen["console"], Json::array());
   EXPECT_LE(seen["values"][0].get<int>(), 360);
+  EXPECT_GT(seen["values"][2].get<double>(), seen["values"][1].get<double>() + 1.0);  // dragged to the left
+}
+
+TEST_F(ReportViewer, PansWithTheMouseAndZoomsWithTheWheelAboutThePointer) {
+  const char* view = "(({x, y, zoom}) => [x, y, zoom])(viewers.get(0).view)";
+  const char* canvas = "[data-pane='run'] canvas";
+  const Json seen = visit({evaluate(ready(1)),
+                           {{"wheel", canvas}, {"by", -100}},
+                           {{"wheel", canvas}, {"by", -100}},
+                           {{"wheel", canvas}, {"by", -100}},
+                           next_frame(),
+                           evaluate(view),
+                           {{"drag", canvas}, {"by", {40, 0}}},
+                           next_frame(),
+                           evaluate(view),
+                           evaluate("document.querySelector(`[data-pane='run'] canvas`).clientWidth")});
+  ASSERT_EQ(seen["console"], Json::array());
+  const Json &zoomed = seen["values"][0], &panned = seen["values"][1];
+  EXPECT_NEAR(zoomed[2].get<double>(), 1.25 * 1.25 * 1.25, 1e-9);
+  EXPECT_NEAR(zoomed[0].get<double>(), kFakeWidth_px / 2, 0.1);  // about the middle
+  const double pixels = 40.0 * kFakeWidth_px / seen["values"][2].get<double>() / zoomed[2].get<double>();
+  EXPECT_NEAR(panned[0].get<double>(), zoomed[0].get<double>() - pixels, 0.05);
+}
+
+TEST_F(ReportViewer, SavesWhatIsSeenAsPng) {
+  std::filesystem::create_directory(place("saved"));
+  const std::string file = (place("saved") / "plate-off.png").string();
+  const Json seen = visit({{{"downloads", place("saved").string()}, {"before", true}},
+                           evaluate(ready(1)),
+                           press("4"),
+                           next_frame(),
+                           {{"click", "[data-role='save']"}},
+                           {{"await", file}},
+                           evaluate("document.querySelector(`[data-pane='map'] canvas`).width")});
+  EXPECT_EQ(seen["console"], Json::array());
+  ASSERT_TRUE(std::filesystem::exists(file));
+  const Image picture = read_image(file);
+  EXPECT_GE(picture.width, seen["values"].back().get<int>());  // the map with its margin, and the context below
+  EXPECT_GT(picture.height, picture.width * kFakeHeight_px / kFakeWidth_px);
+}
+
+TEST_F(ReportViewer, ReachesEveryControlByTab) {
+  const std::string missed =
+      "[...document.querySelectorAll('button, select, input, a[href], summary, [tabindex=\"0\"]')].filter(control => "
+      "control.checkVisibility() && !control.disabled && !('reached' in control.dataset)).map(control => "
+      "control.outerHTML.slice(0, 90))";
+  const Json seen = visit({evaluate(ready(1)), {{"tabs", 90}}, evaluate(missed)});
+  EXPECT_EQ(seen["values"], Json({Json::array()}));
+}
+
+TEST_F(ReportViewer, FollowsTheThemeAndIsReadableOnPaper) {
+  const char* ink = "getComputedStyle(document.body).color";
+  const Json seen = visit({{{"dark", true}, {"before", true}},
+                           evaluate(ready(1)),
+                           evaluate(ink),
+                           press("t"),
+                           evaluate(ink),
+                           {{"media", "print"}},
+                           evaluate(ink),
+                           evaluate("document.querySelector('.tools').checkVisibility()"),
+                           {{"pdf", place("page.pdf").string()}}});
+  EXPECT_EQ(seen["console"], Json::array());
+  EXPECT_EQ(seen["values"], Json({"rgb(230, 232, 236)", "rgb(27, 31, 39)", "rgb(0, 0, 0)", false}));
+  EXPECT_GT(std::filesystem::file_size(place("page.pdf")), 10'000u);
 }
 
 }  // namespace

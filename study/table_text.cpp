@@ -1,4 +1,4 @@
-#include "study/html_text.h"
+#include "study/table_text.h"
 
 namespace umbrameter {
 
@@ -6,10 +6,6 @@ std::string escaped(const std::string& text, char what, const std::string& with)
   std::string out;
   for (const char c : text) out += c == what ? with : std::string(1, c);
   return out;
-}
-
-std::string html_escaped(const std::string& text) {
-  return escaped(escaped(escaped(escaped(text, '&', "&amp;"), '<', "&lt;"), '>', "&gt;"), '"', "&quot;");
 }
 
 std::string markdown_cell(const std::string& text) {

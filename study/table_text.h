@@ -1,5 +1,5 @@
 #pragma once
-// Text in tables for people. Not here: the report's page (report/).
+// Text in tables for people. Not here: HTML (core/html.h).
 
 #include <string>
 
@@ -8,7 +8,6 @@ namespace umbrameter {
 /// Every `what` replaced with `with`.
 std::string escaped(const std::string& text, char what, const std::string& with);
 
-std::string html_escaped(const std::string& text);
 /// For a cell of a markdown table.
 std::string markdown_cell(const std::string& text);
 

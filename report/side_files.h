@@ -1,0 +1,21 @@
+#pragma once
+// What other verbs leave beside the results, for sections of their own: tune*.json, bench*.json, stress*.json, regress*.json.
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace umbrameter {
+
+/// `read(document, file name)` for every `folder`/<verb>*.json, by name. Error{input} naming the file when it is no JSON, or
+/// when `read` throws a JSON exception: it is not as `verb` writes it.
+using ReadSideFile = std::function<void(const nlohmann::ordered_json& document, const std::string& file)>;
+void for_side_files(const std::filesystem::path& folder, const std::string& verb, const ReadSideFile& read);
+
+/// All that a page of `folder` would read besides results.json.
+std::vector<std::filesystem::path> side_files(const std::filesystem::path& folder);
+
+}  // namespace umbrameter

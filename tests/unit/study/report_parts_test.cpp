@@ -1,0 +1,218 @@
+// Without these tests the report could show other numbers of bench, stress and regress than their files, leave a section out, or
+// lose its map to the keyboard.
+
+#include "tests/unit/study/fakes.h"
+#include "tests/unit/study/report_visit.h"
+
+#include "core/error.h"
+#include "core/files.h"
+#include "report/bench_part.h"
+#include "report/regress_part.h"
+#include "report/report.h"
+#include "report/stress_part.h"
+#include "study/bench_json.h"
+#include "study/regress/output.h"
+#include "study/results_json.h"
+#include "study/stress/output.h"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+namespace umbrameter {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+using testing::ThrowsMessage;
+using Json = nlohmann::json;
+
+BenchEntry entry(const std::string& label, double ms, double rmse) {
+  BenchEntry one;
+  one.label = one.technique = label;
+  one.is_software = true;
+  one.times = {{"map"}, std::vector<std::vector<double>>(6, {ms})};
+  one.time_ms = Interval{ms, 0.9 * ms, 1.1 * ms};
+  one.rmse = Interval{rmse, 0.9 * rmse, 1.1 * rmse};
+  return one;
+}
+
+/// Two runs on the front, one behind; and the truth's curve, as 'bench' may add it.
+std::string bench_text() {
+  BenchResults results;
+  results.plan.title = "Grid & <b>more";
+  BenchScene scene;
+  scene.name = "plate";
+  scene.entries = {entry("fast", 1.0, 0.08), entry("slow", 4.0, 0.01), entry("late", 8.0, 0.0987)};
+  find_front(scene.entries);
+  results.scenes = {scene};
+  Json json = Json::parse(to_json_text(results, {}));
+  json["scenes"][0]["truth"] = Json::parse(R"({"exponent": -0.5, "points": [
+      {"kind": "spp", "setting": 16, "cpu_s": 0.1, "cpu_mad_s": 0.01, "rays_per_pixel": 9, "rmse": 0.04, "rmse_low": 0.03, "rmse_high": 0.05},
+      {"kind": "spp", "setting": 64, "cpu_s": 0.4, "cpu_mad_s": 0.01, "rays_per_pixel": 36, "rmse": 0.02, "rmse_low": 0.01, "rmse_high": 0.03}]})");
+  return json.dump();
+}
+
+StressCell cell(const std::string& row, size_t value, StressOutcome outcome, double rmse, const std::string& how = {}) {
+  StressCell one;
+  one.axis = "world_offset";
+  one.row = row;
+  one.value = value;
+  one.outcome = outcome;
+  one.how = how;
+  one.rmse = Interval{rmse, rmse, rmse};
+  return one;
+}
+
+std::string stress_text() {
+  StressResults results;
+  StressAxis axis;
+  axis.name = "world_offset";
+  axis.unit = "world units";
+  axis.doc = "far from the origin";
+  axis.values = numbers({0, 1e4, 1e7});
+  results.plan.axes = {axis};
+  results.rows = {"truth", "pcss"};
+  for (size_t k = 0; k < 3; ++k) results.cells.push_back(cell("truth", k, StressOutcome::ok, 0.0));
+  results.cells.push_back(cell("pcss", 0, StressOutcome::ok, 0.01));
+  results.cells.push_back(cell("pcss", 1, StressOutcome::ok, 0.012));
+  results.cells.push_back(cell("pcss", 2, StressOutcome::worse, 0.345, "geometric_leak"));
+  return stress_json(results);
+}
+
+std::string regress_text_of(CaseOutcome outcome) {
+  RegressResults results = {"small", 192, 108, 1, {}, {}, {}};
+  RegressCase one;
+  one.scene = "plate";
+  one.label = "off";
+  one.verdict.outcome = outcome;
+  one.verdict.kind = "acne";
+  one.verdict.message = "speckle & <more>";
+  one.verdict.gate.measures = {{GateClass::acne, 0.0123, 0.001, 0.004}, {GateClass::noise, std::nullopt, 0.1, 0.2}};
+  BaselineRun run;
+  run.numbers.mse = {0.0004, 0.0003, 0.0005};
+  one.before = run;
+  run.numbers.mse = {0.01, 0.009, 0.011};
+  one.now = run;
+  results.cases = {one};
+  return regress_json(results);
+}
+
+TEST(ReportParts, AreEmptyWithoutTheirFilesAndRefuseMalformedOnes) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(bench_part(folder.path()).html, "");
+  EXPECT_EQ(stress_part(folder.path()), "");
+  EXPECT_EQ(regress_part(folder.path(), {}).html, "");
+  for (const char* name : {"bench-x.json", "stress.json", "regress.json"})
+    write_file_atomically(folder.path() / name, R"({"scenes": 3, "axes": [{}], "cases": [1]})");
+  EXPECT_THAT([&] { bench_part(folder.path()); }, ThrowsMessage<Error>(HasSubstr("bench-x.json: not what 'bench' writes")));
+  EXPECT_THAT([&] { stress_part(folder.path()); }, ThrowsMessage<Error>(HasSubstr("stress.json: not what 'stress' writes")));
+  EXPECT_THAT([&] { regress_part(folder.path(), {}); }, ThrowsMessage<Error>(HasSubstr("regress.json: not what")));
+}
+
+TEST(ReportParts, OfBenchSayWhatItMeasured) {
+  const TemporaryFolder folder;
+  write_file_atomically(folder.path() / "bench.json", bench_text());
+  const SidePart part = bench_part(folder.path());
+  EXPECT_THAT(part.html, HasSubstr("Grid &amp; &lt;b&gt;more"));
+  EXPECT_THAT(part.html, HasSubstr("software rasteriser: ratios are not a GPU&#39;s"));
+  EXPECT_THAT(part.html, HasSubstr("data-value=\"0.0987\">0.09870 [0.08883, 0.10857]"));
+  EXPECT_THAT(part.html, HasSubstr("behind fast"));
+  EXPECT_THAT(part.html, HasSubstr("by the least product of time and RMSE: slow."));
+  EXPECT_THAT(part.html, HasSubstr("spp 16"));
+  ASSERT_EQ(part.plots.size(), 1u);
+  EXPECT_EQ(part.plots[0]["runs"].size(), 3u);
+}
+
+TEST(ReportParts, OfStressSayRangeFirstBreakAndHow) {
+  const TemporaryFolder folder;
+  write_file_atomically(folder.path() / "stress.json", stress_text());
+  const std::string html = stress_part(folder.path());
+  EXPECT_THAT(html, HasSubstr("pcss, world_offset: holds from 0 to 10000 world units (2 of 3 values); leak at 1e+07"));
+  EXPECT_THAT(html, HasSubstr(">2/3</td>"));
+  EXPECT_THAT(html, HasSubstr("<td class=\"worse\" title=\"geometric_leak\">0.34500 leak</td>"));
+  Json unknown = Json::parse(stress_text());
+  unknown["cells"][5]["outcome"] = "melted";
+  write_file_atomically(folder.path() / "stress.json", unknown.dump());
+  EXPECT_THAT([&] { stress_part(folder.path()); }, ThrowsMessage<Error>(HasSubstr("'melted'")));
+}
+
+TEST(ReportParts, OfRegressShowBeforeNowAndTheGate) {
+  const TemporaryFolder folder;
+  write_file_atomically(folder.path() / "regress.json", regress_text_of(CaseOutcome::fail));
+  const RegressPart part = regress_part(folder.path(), fake_results(folder.path()));
+  EXPECT_THAT(part.verdict, HasSubstr("class=\"problem\""));
+  EXPECT_THAT(part.verdict, HasSubstr("small: 1 cases, 0 pass, 0 better, 0 undecided, 1 fail"));
+  EXPECT_THAT(part.html, HasSubstr("<a href=\"#scene-1-run-2\">off</a>"));
+  EXPECT_THAT(part.html, HasSubstr("class=\"outcome fail\">fail: acne</td>"));
+  EXPECT_THAT(part.html, HasSubstr("data-column=\"rmse_before\" data-value=\"0.02\">0.02000"));
+  EXPECT_THAT(part.html, HasSubstr("data-column=\"rmse_now\" data-value=\"0.1\">0.10000"));
+  EXPECT_THAT(part.html, HasSubstr("speckle &amp; &lt;more&gt;"));
+  EXPECT_THAT(part.html, HasSubstr("data-column=\"allowed\" data-value=\"0.004\">"));
+  write_file_atomically(folder.path() / "regress.json", regress_text_of(CaseOutcome::pass));
+  EXPECT_THAT(regress_part(folder.path(), {}).verdict, Not(HasSubstr("problem")));
+}
+
+TEST(ReportParts, MakeAPageWithoutResults) {
+  const TemporaryFolder folder;
+  const auto page = folder.path() / "report.html";
+  EXPECT_THROW(write_report(folder.path(), page), Error);
+  write_file_atomically(folder.path() / "bench.json", bench_text());
+  write_report(folder.path(), page);
+  EXPECT_THAT(read_file(page), HasSubstr("<section id=\"summary\" hidden>"));
+  EXPECT_THAT(read_file(page), HasSubstr("id=\"bench-1\""));
+}
+
+class ReportPartsVisit : public ReportVisit {
+ protected:
+  void SetUp() override {
+    ReportVisit::SetUp();
+    if (IsSkipped()) return;
+    write_file_atomically(place("bench.json"), bench_text());
+    write_file_atomically(place("stress.json"), stress_text());
+    write_file_atomically(place("regress.json"), regress_text_of(CaseOutcome::fail));
+  }
+};
+
+TEST_F(ReportPartsVisit, PlotTimesWithTheFrontTheRecommendedRunAndTheTruth) {
+  const Json seen = visit({evaluate("benchCharts[0].charts.bench.data.datasets.map(set => [set.label, set.data.map(point => point.label)])"),
+                           evaluate("benchCharts[0].charts.bench.data.datasets[0].data[0].bars"),
+                           evaluate("benchCharts[0].charts.truth.data.datasets.map(set => set.label)"),
+                           evaluate("benchCharts[0].charts.truth.data.datasets[1].data.map(point => point.y)"),
+                           evaluate("[...document.querySelectorAll('#contents a')].map(link => link.textContent)")});
+  EXPECT_EQ(seen["console"], Json::array());
+  EXPECT_EQ(seen["values"][0], Json::parse(R"([["front", ["fast", "slow"]], ["dominated", ["late"]], ["recommended: slow", ["slow"]]])"));
+  EXPECT_EQ(seen["values"][1], Json::parse(R"({"x": [0.9, 1.1], "y": [0.072, 0.088]})"));
+  EXPECT_EQ(seen["values"][2], Json({"spp", "RMSE as time to the power -0.50"}));
+  EXPECT_NEAR(seen["values"][3][0].get<double>(), 0.04, 1e-9);  // through both points: a quarter of the samples, twice the error
+  EXPECT_EQ(seen["values"][4], Json({"Summary", "Regression", "plate", "Time against error", "Stability map", "Scales", "Skipped"}));
+}
+
+TEST_F(ReportPartsVisit, WalkTheMapByKeysAndSayWhatACellHolds) {
+  const char* detail = "document.querySelector('.map-detail').textContent";
+  const Json seen = visit({evaluate("document.querySelector('[role=grid] [tabindex=\"0\"]').focus()"),
+                           evaluate(detail),
+                           press("ArrowDown"),
+                           evaluate(detail),
+                           press("ArrowDown"),
+                           evaluate("document.querySelectorAll('[role=grid] [tabindex=\"0\"]').length"),
+                           press("Enter"),
+                           evaluate("document.getElementById('stress-1-world_offset').open"),
+                           {{"hover", "[role=grid] [data-detail]"}},
+                           evaluate(detail)});
+  EXPECT_EQ(seen["console"], Json::array());
+  const std::string truth = "truth, world_offset: holds from 0 to 1e+07 world units (3 of 3 values)";
+  EXPECT_EQ(seen["values"],
+            Json({truth, "pcss, world_offset: holds from 0 to 10000 world units (2 of 3 values); leak at 1e+07", 1, true, truth}));
+}
+
+TEST_F(ReportPartsVisit, FitANarrowScreenAndSortTheirTables) {
+  const Json seen = visit({{{"size", {360, 740}}, {"before", true}},
+                           evaluate("document.documentElement.scrollWidth"),
+                           evaluate("document.querySelectorAll('#bench table.sortable')[0].querySelectorAll('thead button')[2].click()"),
+                           evaluate("[...document.querySelector('#bench table.sortable').tBodies[0].rows].map(row => row.cells[0].textContent)")});
+  EXPECT_LE(seen["values"][0].get<int>(), 360);
+  EXPECT_EQ(seen["values"][1], Json({"slow", "fast", "late"}));
+}
+
+}  // namespace
+}  // namespace umbrameter
