@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# sanitize.sh [SECONDS]: address and undefined-behaviour sanitizers over every fuzz target (SECONDS each, default 15) and
+# sanitize.sh [SECONDS]: address and undefined-behaviour sanitizers over every fuzz target (SECONDS each, default 10) and
 # over the small stress suite.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 bash scripts/build.sh sanitize
-bash scripts/fuzz.sh "${1:-15}"
+bash scripts/fuzz.sh "${1:-10}"
 # Mesa keeps what it allocated, so leaks are looked for by the fuzz targets alone.
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT

@@ -26,6 +26,7 @@ struct StressPoint {
   std::vector<std::pair<std::string, std::string>> files;  // that the scene names: file name, bytes
   std::vector<std::string> assignments;  // "name=value"; each for the techniques that have the parameter
   std::vector<ManifestEdit> edits;
+  size_t active_light = 0;       // of the file's lights, the one that is drawn
   bool must_be_refused = false;  // the scene is no scene; a picture of it would be a lie
 };
 

@@ -75,21 +75,36 @@ StressPoint sphere_height_point(const StressValue& value) {
   return point_of(stage);
 }
 
+std::string other_light(int i) {
+  return fmt::format(
+      "[[light]]\nname = \"other {}\"\ntype = \"disk\"\ncenter = [{}, 5, 0]\nat = [0, 0, 0]\nradius = 0.2\n",
+      i, 0.1 * i);
+}
+
 // Pictures are of the first light.
 StressPoint light_count_point(const StressValue& value) {
   StageScene stage = nominal_stage();
-  for (int i = 1; i < static_cast<int>(value.number); ++i) {
-    stage.more += fmt::format(
-        "[[light]]\nname = \"other {}\"\ntype = \"disk\"\ncenter = [{}, 5, 0]\nat = [0, 0, 0]\nradius = "
-        "0.2\n",
-        i, 0.1 * i);
-  }
+  for (int i = 1; i < static_cast<int>(value.number); ++i) stage.more += other_light(i);
   StressPoint point = point_of(stage);
   point.must_be_refused = value.number == 0.0;
   if (point.must_be_refused) {
     const size_t start = point.scene.find("[[light]]");
     point.scene.erase(start, point.scene.find("[[mesh]]") - start);
   }
+  return point;
+}
+
+// The stage's own light, the one rectangle, moves down the file and must stay what is drawn.
+StressPoint light_index_point(const StressValue& value) {
+  constexpr int kLights = 64;
+  const int index = static_cast<int>(value.number);
+  std::string before;
+  for (int i = 0; i < index; ++i) before += other_light(i);
+  StageScene stage = nominal_stage();
+  for (int i = index + 1; i < kLights; ++i) stage.more += other_light(i);
+  StressPoint point = point_of(stage);
+  point.scene = before + point.scene;
+  point.active_light = static_cast<size_t>(index);
   return point;
 }
 
@@ -150,6 +165,12 @@ std::vector<StressAxis> light_axes() {
        .nominal = 1,
        .needs_parameter = {},
        .point = light_count_point},
+      {.name = "light_index",
+       .unit = "",
+       .doc = "Which of 64 lights is drawn: the same one, at this place in the file.",
+       .values = numbers({0, 1, 31, 63}),
+       .needs_parameter = {},
+       .point = light_index_point},
   };
 }
 

@@ -72,6 +72,7 @@ StressPoint point_of(const StageScene& stage) {
           .files = {},
           .assignments = {"map_size=512", "light_samples=16"},
           .edits = {},
+          .active_light = 0,
           .must_be_refused = false};
 }
 

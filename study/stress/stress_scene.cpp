@@ -21,7 +21,10 @@ std::optional<StressCell> load(const StressPoint& point, const std::filesystem::
   write_file_atomically(place / "scene.toml", point.scene);
   const auto failure = guarded([&] { scene = load_scene(place / "scene.toml", {}); });
   if (!failure && point.must_be_refused) return stress_failure(accepted, "this must be refused");
-  if (!failure) return std::nullopt;
+  if (!failure) {
+    scene.active_light = point.active_light;
+    return std::nullopt;
+  }
   const bool is_right = point.must_be_refused && failure->kind == ErrorKind::input;
   return stress_failure(is_right ? rightly_refused : outcome_of(*failure), failure->message);
 }

@@ -74,5 +74,14 @@ TEST(planar, knows_nothing_off_its_plane) {
   EXPECT_GT(on_top, 20u);
 }
 
+// A plane of a fixed thickness swallows the casters of a small scene.
+TEST(planar, does_not_know_how_large_the_scene_is) {
+  UMBRAMETER_REQUIRE_GL();
+  const Scene scene = plate_scene();
+  const std::vector<float> nominal = visibility(scene, "planar");
+  for (const double scale : {0x1p-20, 0x1p-10, 0x1p20})
+    EXPECT_EQ(visibility(scaled_scene(scene, scale), "planar"), nominal) << scale;
+}
+
 }  // namespace
 }  // namespace umbrameter

@@ -118,6 +118,29 @@ TEST(every_technique, score_hardly_depends_on_fit_and_size_of_the_map) {
   }
 }
 
+TEST(every_technique, draws_the_active_light_of_64) {
+  UMBRAMETER_REQUIRE_GL();
+  Scene many = plate_scene();
+  const Light light = many.lights[0];
+  many.lights.clear();
+  for (int i = 0; i < 64; ++i) {
+    many.lights.push_back(light);
+    many.lights.back().center_world.x += 0.02 * i;
+  }
+  for (const Technique& technique : techniques()) {
+    if (!technique.supports(LightType::rect)) continue;
+    for (const size_t index : {size_t{0}, size_t{63}}) {
+      many.active_light = index;
+      Scene one = many;
+      one.lights = {many.lights[index]};
+      one.active_light = 0;
+      const auto picture = visibility(many, technique.id, quick(technique, 256));
+      EXPECT_EQ(picture, visibility(one, technique.id, quick(technique, 256)))
+          << technique.id << " " << index;
+    }
+  }
+}
+
 TEST(every_technique, picture_does_not_depend_on_what_was_rendered_before) {
   UMBRAMETER_REQUIRE_GL();
   const Scene scene = plate_scene();

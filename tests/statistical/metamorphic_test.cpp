@@ -137,6 +137,17 @@ TEST(Metamorphic, a_light_is_the_mean_of_its_quarters) {
             1.2 * variance_sum);  // lit and black pixels keep the error floor: it may be far smaller
 }
 
+TEST(Metamorphic, other_lights_of_the_file_do_not_matter) {
+  const Scene one = cluttered_scene();
+  Scene many = one;
+  many.lights.assign(64, rect_light_above({-1.0, 3, 0.0}, {0.2, 0.2}));
+  many.lights[63] = one.lights[0];
+  many.active_light = 63;
+  EXPECT_EQ(rms_difference(render_reference(one), render_reference(many)), 0.0);
+  many.active_light = 0;
+  EXPECT_GT(rms_difference(render_reference(one), render_reference(many)), 0.1);
+}
+
 TEST(Metamorphic, a_shrinking_light_tends_to_the_hard_shadow) {
   Scene scene = cluttered_scene();
   double penumbra_before = 1.0;

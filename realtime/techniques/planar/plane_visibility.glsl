@@ -9,6 +9,7 @@ float plane_visibility(LightViewData view) {
   vec3 n_world = texelFetch(gbuffer_normal, px, 0).xyz;
   vec3 to_light = viewpoint.w == 0.0 ? viewpoint.xyz : viewpoint.xyz - position.xyz;
   if (dot(n_world, to_light) <= 0.0) return 0.0;
-  bool is_on_plane = abs(dot(frame.receiver_plane_world, vec4(position.xyz, 1.0))) <= plane_offset_world;
+  float height = abs(dot(frame.receiver_plane_world, vec4(position.xyz, 1.0)));
+  bool is_on_plane = height <= plane_offset_world(position.xyz);
   return is_on_plane ? texelFetch(lit, px, 0).r : 1.0;
 }

@@ -21,3 +21,12 @@ vec4 projected_world(vec4 plane, vec4 viewpoint, vec3 p_world) {
   vec4 p = vec4(p_world, 1.0);
   return dot(plane, viewpoint) * p - dot(plane, p) * viewpoint;
 }
+
+/// Half the thickness of the plane at p_world: plane_offset_px widths of a pixel there, and no less than what positions
+/// lose as floats, of which a step is 2^-23 of a coordinate.
+float plane_offset_world(vec3 p_world) {
+  vec3 up = vec3(frame.clip_from_world[0].y, frame.clip_from_world[1].y, frame.clip_from_world[2].y);
+  float depth_view = max((frame.clip_from_world * vec4(p_world, 1.0)).w, 0.0);
+  float pixel_world = 2.0 * depth_view / (length(up) * float(frame.screen_and_seed.y));
+  return max(plane_offset_px * pixel_world, exp2(-21.0) * length(p_world));  // const: four steps
+}
