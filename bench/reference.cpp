@@ -29,6 +29,7 @@ namespace {
 
 constexpr uint32_t kPoints = 128;  // a replicate: 1024 samples a pixel
 constexpr int kSide = 14;          // pixels; few enough for the recorded rays to stay in a cache
+constexpr int kBlocks = (kSide + kBlock - 1) / kBlock;
 
 void add(std::vector<NamedMesh>& meshes, MeshData mesh, const glm::dvec3& offset) {
   for (glm::dvec3& p : mesh.positions) p += offset;
@@ -71,13 +72,16 @@ struct Work {
   explicit Work(Scene bench_scene) : scene(std::move(bench_scene)) {
     embree.load(scene);
     const PrimaryCamera camera(scene, kSide, kSide);
-    for (int i = 0; i < kSide * kSide; ++i) {
-      const auto hit = camera.hit(embree, i % kSide, i / kSide);
-      if (!hit) continue;
-      const LightPatch patch = make_light_patch(scene.light(), hit->receiver, scene.bounds_world.diagonal());
-      if (is_below_horizon(patch)) continue;
-      pixels.push_back({hit->receiver.ray_origin_world, patch, pixel_seed(1, static_cast<uint32_t>(i))});
+    for (int i = 0; i < kBlocks * kBlocks; ++i) {
+      for (const auto& hit : camera.hits(embree, kBlock * (i % kBlocks), kBlock * (i / kBlocks))) {
+        if (hit) add_pixel(hit->receiver);
+      }
     }
+  }
+  void add_pixel(const Receiver& receiver) {
+    const LightPatch patch = make_light_patch(scene.light(), receiver, scene.bounds_world.diagonal());
+    if (is_below_horizon(patch)) return;
+    pixels.push_back({receiver.ray_origin_world, patch, pixel_seed(1, static_cast<uint32_t>(pixels.size()))});
   }
   int64_t ray_count() const { return static_cast<int64_t>(pixels.size()) * kReplicates * kPoints; }
 };

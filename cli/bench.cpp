@@ -16,6 +16,7 @@ namespace {
 struct BenchOptions {
   std::vector<std::string> studies;
   std::string csv;
+  std::string truth_csv;
   std::string best_under;
   std::optional<double> cheapest_below_rmse;
   std::optional<int> frames;
@@ -76,13 +77,31 @@ LoadedStudy load(const std::string& file, const BenchOptions& options, const Hom
   return loaded;
 }
 
-BenchResults run(const LoadedStudy& study, Renderer& realtime, int threads, ProgressBar& progress) {
+/// The last target judges the others (study/truth_curve.h); its sample limit is out of reach for all but thin things.
+TruthPlan make_truth_plan(int threads) {
+  TruthPlan plan;
+  std::vector<ReferenceSettings> settings;
+  const auto add = [&](const std::string& kind, double setting, int samples,
+                       std::optional<double> target_se) {
+    settings.push_back({samples, target_se, threads, true, false});
+    plan.settings.push_back({kind, setting, nullptr});
+  };
+  for (const double target : {0.02, 0.01, 0.005, 0.002}) add("target_se", target, 1 << 16, target);
+  for (const int samples : {32, 128, 512, 2048}) add("samples", samples, samples, {});
+  auto renderers = make_reference_renderers(settings);
+  for (size_t i = 0; i < renderers.size(); ++i) plan.settings[i].renderer = std::move(renderers[i]);
+  return plan;
+}
+
+BenchResults run(const LoadedStudy& study, Renderer& realtime, int threads, const TruthPlan& truth,
+                 ProgressBar& progress) {
   const auto reference =
       make_reference_renderer({study.quality.samples_per_pixel, study.quality.target_se, threads});
-  return run_bench(study.scenes, study.plan, {*reference, realtime}, progress, [&](const BenchScene& scene) {
+  const auto scene_done = [&](const BenchScene& scene) {
     progress.clear();
     print_note(scene_line(scene));
-  });
+  };
+  return run_bench(study.scenes, study.plan, {*reference, realtime}, progress, scene_done, truth);
 }
 
 /// One object, or {"studies": [...]} of several.
@@ -99,21 +118,27 @@ std::string json_of(const std::vector<BenchResults>& all, const BenchQueries& qu
 
 int bench(const BenchOptions& options, const GlobalOptions& global) {
   const BenchQueries queries = choose_queries(options);
-  if (!options.csv.empty() && options.studies.size() > 1)
-    fail_input("--csv takes one study, as each file has a table of its own", {}, "run them one by one");
+  for (const auto& [option, file] : {std::pair("--csv", &options.csv), {"--truth", &options.truth_csv}}) {
+    if (file->empty() || options.studies.size() == 1) continue;
+    fail_input(fmt::format("{} takes one study, as each file has a table of its own", option), {},
+               "run them one by one");
+  }
   const Home home = find_home();
   const SceneSearch search = scene_search(global, home);
   std::optional<StagedFile> csv;
   if (!options.csv.empty()) csv.emplace(options.csv, ".csv");
+  std::optional<StagedFile> truth_file;
+  if (!options.truth_csv.empty()) truth_file.emplace(options.truth_csv, ".csv");
   ProgressBar progress;
   std::vector<LoadedStudy> studies;
   for (const std::string& file : options.studies)
     studies.push_back(load(file, options, home, search, progress));
   const auto realtime = open_realtime_renderer(global, home);
+  const TruthPlan truth = truth_file ? make_truth_plan(global.threads) : TruthPlan{};
   std::vector<BenchResults> all;
   int code = kExitFine;
   for (LoadedStudy& study : studies) {
-    all.push_back(run(study, *realtime, global.threads, progress));
+    all.push_back(run(study, *realtime, global.threads, truth, progress));
     study.scenes.clear();
     if (!global.json) print_answer(bench_text(all.back(), queries, options.with_passes));
     code = std::max(code, verdict(all.back()));
@@ -121,6 +146,10 @@ int bench(const BenchOptions& options, const GlobalOptions& global) {
   if (csv) {
     write_file_atomically(csv->staged(), to_csv(all.front()));
     csv->publish();
+  }
+  if (truth_file) {
+    write_file_atomically(truth_file->staged(), truth_csv(all.front()));
+    truth_file->publish();
   }
   if (global.json) print_answer(json_of(all, queries));
   return code;
@@ -135,6 +164,8 @@ void add_bench(CLI::App& app, CommandLine& line) {
   verb->fallthrough();
   verb->add_option("study", options->studies, "study files (docs/studies.md)")->required();
   verb->add_option("--csv", options->csv, "also write one line a scene and run to this file");
+  verb->add_option("--truth", options->truth_csv,
+                   "also measure time against error of the truth, one line a scene and setting to this file");
   verb->add_option("--best-under", options->best_under, "name the smallest error within a time, such as 1ms");
   verb->add_option("--cheapest-below-rmse", options->cheapest_below_rmse,
                    "name the shortest time below an RMSE");

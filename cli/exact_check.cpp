@@ -1,11 +1,10 @@
 #include "cli/exact_check.h"
 
+#include "core/clock.h"
 #include "reference/reference.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-
-#include <ctime>
 
 namespace umbrameter {
 namespace {
@@ -35,9 +34,9 @@ ExactCheck run_exact_check(const Scene& scene, const Image& reference, const Ren
   const Frame frame = make_reference_renderer({64, {}, threads})->render(scene, pilot, progress);
   ExactCheck check;
   const std::vector<size_t> pixels = draw_check_pixels(frame.image, count, request.seed);
-  const std::clock_t start = std::clock();
+  const double before_s = process_cpu_seconds();
   check.points = check_pixels(scene, reference, pixels, threads, progress);
-  check.cpu_time_s = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  check.cpu_time_s = process_cpu_seconds() - before_s;
   check.comparison = compare_with_exact(check.points);
   return check;
 }

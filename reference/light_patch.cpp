@@ -16,46 +16,64 @@ constexpr double kUnitRoundoff = 0x1p-24;  // of float
 struct PatchPlane {
   glm::dvec3 to_center;
   glm::dvec3 axis;  // unit
-  bool along_ray;   // sphere and sun: samples are directions, their points are where these meet the plane
+  glm::dvec3 per_a{0.0};
+  glm::dvec3 per_b{0.0};
 };
 
-glm::dvec3 to_patch_point(const PatchPlane& plane, const LightSample& sample) {
-  if (!plane.along_ray) return sample.to_light_world * sample.distance_world;
-  return sample.to_light_world *
-         (glm::dot(plane.to_center, plane.axis) / glm::dot(sample.to_light_world, plane.axis));
+bool is_flat(const Light& light) {
+  return light.type == LightType::rect || light.type == LightType::disk;
+}
+
+/// Coordinate 1 is twice as far from the centre as uv = 3/4, for the square and for the disk alike.
+template <class PointAt>
+void span_plane(const PointAt& point_at, PatchPlane& plane) {
+  const glm::dvec3 middle = point_at(glm::dvec2(0.5, 0.5));
+  plane.per_a = 2.0 * (point_at(glm::dvec2(0.75, 0.5)) - middle);
+  plane.per_b = 2.0 * (point_at(glm::dvec2(0.5, 0.75)) - middle);
 }
 
 PatchPlane find_plane(const Light& light, const glm::dvec3& p_world, const LightSample& middle) {
-  switch (light.type) {
-    case LightType::rect:
-    case LightType::disk:
-      return {middle.to_light_world * middle.distance_world, light.direction_world, false};
-    case LightType::sphere:
-      return {middle.to_light_world * glm::distance(light.center_world, p_world), middle.to_light_world,
-              true};
-    case LightType::sun:
-      break;
+  const glm::dvec3& way = middle.to_light_world;
+  if (is_flat(light)) {
+    PatchPlane plane{way * middle.distance_world, light.direction_world};
+    span_plane([&](const glm::dvec2& uv) { return light_point(light, uv); }, plane);
+    return plane;
   }
-  return {middle.to_light_world, middle.to_light_world, true};
+  // Samples are directions; their points are where these meet the plane.
+  const double distance = light.type == LightType::sphere ? glm::distance(light.center_world, p_world) : 1.0;
+  PatchPlane plane{way * distance, way};
+  span_plane(
+      [&](const glm::dvec2& uv) {
+        const glm::dvec3 direction = sample_light(light, p_world, way, uv).to_light_world;
+        return direction * (distance / glm::dot(direction, way));
+      },
+      plane);
+  return plane;
 }
 
-PatchForm form_of(const glm::dvec3& n, const glm::dvec3& center, const glm::dvec3& per_a,
-                  const glm::dvec3& per_b) {
-  return {static_cast<float>(glm::dot(n, center)), static_cast<float>(glm::dot(n, per_a)),
-          static_cast<float>(glm::dot(n, per_b))};
+PatchForm form_of(double center, double per_a, double per_b) {
+  return {static_cast<float>(center), static_cast<float>(per_a), static_cast<float>(per_b)};
 }
 
-void set_directions(LightPatch& patch, const glm::dvec3& center, const glm::dvec3& per_a,
-                    const glm::dvec3& per_b) {
-  patch.direction_x = form_of({1, 0, 0}, center, per_a, per_b);
-  patch.direction_y = form_of({0, 1, 0}, center, per_a, per_b);
-  patch.direction_z = form_of({0, 0, 1}, center, per_a, per_b);
+PatchForm form_of(const glm::dvec3& n, const PatchPlane& plane) {
+  return form_of(glm::dot(n, plane.to_center), glm::dot(n, plane.per_a), glm::dot(n, plane.per_b));
+}
+
+void set_directions(LightPatch& patch, const glm::dvec3& center, const PatchPlane& plane) {
+  patch.direction_x = form_of(center.x, plane.per_a.x, plane.per_b.x);
+  patch.direction_y = form_of(center.y, plane.per_a.y, plane.per_b.y);
+  patch.direction_z = form_of(center.z, plane.per_a.z, plane.per_b.z);
+}
+
+/// How far the form strays from its centre, rounded up.
+float spread(const PatchForm& form, bool round) {
+  const float exact = round ? std::sqrt(form.per_a * form.per_a + form.per_b * form.per_b)
+                            : std::abs(form.per_a) + std::abs(form.per_b);
+  return exact * 1.00001f;
 }
 
 float greatest(const PatchForm& form, bool round) {
-  const float spread =
-      round ? std::hypot(form.per_a, form.per_b) : std::abs(form.per_a) + std::abs(form.per_b);
-  return form.center + spread * 1.00001f;
+  return form.center + spread(form, round);
 }
 
 }  // namespace
@@ -63,31 +81,25 @@ float greatest(const PatchForm& form, bool round) {
 LightPatch make_light_patch(const Light& light, const Receiver& receiver, double scene_extent_world) {
   LightPatch patch;
   const glm::dvec3& p = receiver.p_world;
-  const LightSample probe = sample_light(light, p, receiver.n_geometric_world, {0.5, 0.5});
-  const LightSample middle = sample_light(light, p, probe.to_light_world, {0.5, 0.5});
+  // A receiver that faces the light's centre.
+  const glm::dvec3 facing = sample_light(light, p, receiver.n_geometric_world, {0.5, 0.5}).to_light_world;
+  const LightSample middle = sample_light(light, p, facing, {0.5, 0.5});
   patch.dark = !(middle.irradiance_weight > 0.0);
   if (patch.dark) return patch;
-
-  // Coordinate 1 is twice as far from the centre as uv = 3/4, for the square and for the disk alike.
   const PatchPlane plane = find_plane(light, p, middle);
-  const auto edge = [&](const glm::dvec2& uv) {
-    return 2.0 * (to_patch_point(plane, sample_light(light, p, middle.to_light_world, uv)) - plane.to_center);
-  };
-  const glm::dvec3 per_a = edge({0.75, 0.5});
-  const glm::dvec3 per_b = edge({0.5, 0.75});
 
   patch.round = light.type != LightType::rect;
   patch.at_infinity = light.type == LightType::sun;
-  patch.above_surface = form_of(receiver.n_geometric_world, plane.to_center, per_a, per_b);
-  patch.shading = form_of(receiver.n_shading_world, plane.to_center, per_a, per_b);
+  patch.above_surface = form_of(receiver.n_geometric_world, plane);
+  patch.shading = form_of(receiver.n_shading_world, plane);
   const double length = glm::length(plane.to_center);
   patch.strength =
       static_cast<float>(middle.irradiance_weight * (patch.at_infinity ? 1.0 : length * length * length));
   if (patch.at_infinity) {
-    set_directions(patch, plane.to_center, per_a, per_b);
+    set_directions(patch, plane.to_center, plane);
     return patch;
   }
-  set_directions(patch, plane.to_center + (p - glm::dvec3(receiver.ray_origin_world)), per_a, per_b);
+  set_directions(patch, plane.to_center + (p - glm::dvec3(receiver.ray_origin_world)), plane);
   if (light.type == LightType::sphere) patch.sphere_radius_world = static_cast<float>(light.radius_world);
   // A surface in the light's own plane must not cut the rays off: stop as far before it as Embree may err.
   const double height = std::abs(glm::dot(plane.to_center, plane.axis));
@@ -102,6 +114,10 @@ bool is_below_horizon(const LightPatch& patch) {
 
 bool is_unlit(const LightPatch& patch) {
   return patch.dark || greatest(patch.shading, patch.round) <= 0.0f;
+}
+
+bool straddles_horizon(const LightPatch& patch) {
+  return !is_unlit(patch) && patch.shading.center <= spread(patch.shading, patch.round);
 }
 
 }  // namespace umbrameter

@@ -51,5 +51,7 @@ LightPatch make_light_patch(const Light& light, const Receiver& receiver, double
 bool is_below_horizon(const LightPatch& patch);
 /// True when no point of the light has a positive shading cosine.
 bool is_unlit(const LightPatch& patch);
+/// True when some points have one and others have not.
+bool straddles_horizon(const LightPatch& patch);
 
 }  // namespace umbrameter

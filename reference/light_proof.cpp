@@ -10,9 +10,6 @@ namespace umbrameter {
 
 namespace {
 
-using Patch2 = std::array<float, 2>;
-constexpr std::array<Patch2, 4> kCorners{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};  // in turn around the patch
-
 float least(const PatchForm& form) {
   return form.center - std::abs(form.per_a) - std::abs(form.per_b);
 }
@@ -25,11 +22,6 @@ bool is_above_horizon(const LightPatch& patch, float length) {
 
 bool has_plain_cosine(const LightPatch& patch) {
   return is_unlit(patch) || least(patch.shading) > 0.0f;
-}
-
-glm::vec3 direction_at(const LightPatch& patch, const Patch2& corner) {
-  return {patch.direction_x.at(corner[0], corner[1]), patch.direction_y.at(corner[0], corner[1]),
-          patch.direction_z.at(corner[0], corner[1])};
 }
 
 void set_lane(LaneVector& lanes, uint32_t i, const glm::vec3& v) {
@@ -45,35 +37,30 @@ void set_plane(LanePlanes& plane, uint32_t i, const glm::vec3& n, float margin) 
 
 /// Adds a pixel's shaft; says whether nothing but an occluder can keep it from being fully lit.
 bool add_shaft(LightShafts& shafts, uint32_t i, const ShaftPixel& pixel) {
-  constexpr float kRoundoffs = 4e-6f;  // of the scene's size: rays and edges are off by less
-  const LightPatch& patch = *pixel.patch;
-  const float end = patch.at_infinity ? 4.0f * shafts.extent : patch.end_fraction;  // all of the scene
-  const float margin = kRoundoffs * shafts.extent;
+  const LightPatch& patch = pixel.patch;
+  const float end = shaft_end(patch, static_cast<double>(shafts.extent));
+  const float margin = kShaftRoundoffs * shafts.extent;
   const glm::vec3 center{patch.direction_x.center, patch.direction_y.center, patch.direction_z.center};
-  std::array<glm::vec3, 4> corners;
-  float length = 0.0f;
-  for (size_t k = 0; k < 4; ++k) {
-    corners[k] = direction_at(patch, kCorners[k]);
-    length = std::max(length, glm::length(corners[k]));
-    set_lane(shafts.corners[k], i, end * corners[k]);
-  }
+  const PatchCorners corners = corners_of(patch);
+  const auto& ways = corners.ways_world;
+  for (size_t k = 0; k < 4; ++k) set_lane(shafts.corners[k], i, end * ways[k]);
   set_lane(shafts.origin, i, pixel.ray_origin_world);
-  shafts.corner_length[i] = end * length;
+  shafts.corner_length[i] = end * corners.greatest_length;
   // The sphere's point nearest to the origin lies before those that other rays end at.
   shafts.cover_fraction[i] = std::max(0.0f, 1.0f - patch.sphere_radius_world / glm::length(center));
   bool is_wide = true;
   for (size_t k = 0; k < 4; ++k) {
-    const glm::vec3 n = glm::cross(corners[k], corners[(k + 1) % 4]);
+    const glm::vec3 n = glm::cross(ways[k], ways[(k + 1) % 4]);
     const float size = glm::length(n);
     is_wide = is_wide && size > 0.0f;
     const float inwards = glm::dot(n, center) < 0.0f ? -1.0f : 1.0f;
     set_plane(shafts.planes[k], i, n * (inwards / size), margin);
   }
-  glm::vec3 axis = glm::normalize(glm::cross(corners[1] - corners[0], corners[3] - corners[0]));
+  glm::vec3 axis = glm::normalize(glm::cross(ways[1] - ways[0], ways[3] - ways[0]));
   if (glm::dot(axis, center) < 0.0f) axis = -axis;
   set_plane(shafts.planes[4], i, -axis, end * glm::dot(axis, center));
   set_plane(shafts.planes[5], i, pixel.n_geometric_world, 0.0f);
-  return is_wide && is_above_horizon(patch, length) && has_plain_cosine(patch);
+  return is_wide && only_occluders_matter(patch, corners);
 }
 
 struct Walk {
@@ -141,6 +128,26 @@ void walk_tree(const OccluderNode* root, Walk& walk) {
 
 }  // namespace
 
+PatchCorners corners_of(const LightPatch& patch) {
+  constexpr float kA[4] = {-1, 1, 1, -1}, kB[4] = {-1, -1, 1, 1};
+  PatchCorners corners;
+  for (size_t k = 0; k < 4; ++k) {
+    const glm::vec3 way{patch.direction_x.at(kA[k], kB[k]), patch.direction_y.at(kA[k], kB[k]),
+                        patch.direction_z.at(kA[k], kB[k])};
+    corners.ways_world[k] = way;
+    corners.greatest_length = std::max(corners.greatest_length, glm::length(way));
+  }
+  return corners;
+}
+
+float shaft_end(const LightPatch& patch, double scene_extent_world) {
+  return patch.at_infinity ? 4.0f * static_cast<float>(scene_extent_world) : patch.end_fraction;
+}
+
+bool only_occluders_matter(const LightPatch& patch, const PatchCorners& corners) {
+  return is_above_horizon(patch, corners.greatest_length) && has_plain_cosine(patch);
+}
+
 std::array<LightProof, kShafts> prove_light(const OccluderTree& tree, const Scene& scene,
                                             double scene_extent_world, std::span<const ShaftPixel> pixels) {
   std::array<LightProof, kShafts> proofs{};
@@ -149,7 +156,7 @@ std::array<LightProof, kShafts> prove_light(const OccluderTree& tree, const Scen
   Walk walk{scene, shafts};
   bool any_shaft = false;
   for (uint32_t i = 0; i < pixels.size(); ++i) {
-    if (is_below_horizon(*pixels[i].patch)) {
+    if (is_below_horizon(pixels[i].patch)) {
       proofs[i] = LightProof::below_horizon;
       continue;
     }

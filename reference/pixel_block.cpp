@@ -1,9 +1,6 @@
 #include "reference/pixel_block.h"
 
-#include "reference/light_proof.h"
-#include "reference/patch_irradiance.h"
 #include "reference/shadow_sampler.h"
-#include "scenes/near_light.h"
 
 #include <algorithm>
 #include <array>
@@ -12,124 +9,110 @@ namespace umbrameter {
 
 namespace {
 
-struct Pixel {
-  size_t index = 0;
-  uint32_t seed = 0;
-  glm::vec3 ray_origin_world{0.0f};
-  glm::vec3 n_geometric_world{0.0f};
-  LightPatch patch;
-  LightProof proof = LightProof::none;
+static_assert(kShafts == kBlock * kBlock);
+
+using Proofs = std::array<LightProof, kShafts>;
+
+struct PixelSamples {
   PixelSums sums;
   std::array<PixelSums, 2> kept;  // by half: the sums when it stopped
 };
 
-static_assert(kShafts == kBlock * kBlock);
-
 struct Block {
-  std::array<Pixel, kBlock * kBlock> pixels;
-  size_t count = 0;
-  std::span<Pixel> used() { return {pixels.data(), count}; }
+  const BlockPixels& pixels;
+  Proofs proofs;
+  std::array<PixelSamples, kShafts> samples;
 };
 
-/// Writes what is known without sampling; leaves the pixels that light can reach.
-Block shoot_primary(const BlockJob& job, int x0, int y0, ReferencePlanes& planes) {
-  Block block;
-  for (int y = y0; y < std::min(y0 + kBlock, planes.height()); ++y) {
-    for (int x = x0; x < std::min(x0 + kBlock, planes.width()); ++x) {
-      const std::optional<PrimaryHit> hit = job.camera.hit(job.embree, x, y);
-      if (!hit) continue;
-      const uint32_t index = static_cast<uint32_t>(y * planes.width() + x);
-      planes.write_surface(index, *hit);
-      const Receiver& receiver = hit->receiver;
-      const LightPatch patch = make_light_patch(job.light, receiver, job.scene_extent_world);
-      if (is_below_horizon(patch) && is_unlit(patch)) {
-        planes.write_light(index, {}, {});
-        continue;
-      }
-      planes.write_unshadowed_irradiance(
-          index, is_near_light(job.light, receiver.p_world)
-                     ? near_irradiance(job.light, receiver.p_world, receiver.n_shading_world)
-                     : unshadowed_irradiance(patch));
-      block.pixels[block.count++] = {index,
-                                     pixel_seed(job.seed, index),
-                                     receiver.ray_origin_world,
-                                     glm::vec3(receiver.n_geometric_world),
-                                     patch,
-                                     LightProof::none,
-                                     {},
-                                     {}};
-    }
-  }
-  return block;
+Proofs prove(const BlockJob& job, const BlockPixels& pixels, bool all_lit) {
+  if (!all_lit) return prove_light(job.occluders, job.scene, job.scene_extent_world, pixels.shafts);
+  Proofs proofs;
+  proofs.fill(LightProof::lit);
+  return proofs;
 }
 
-void prove(const BlockJob& job, Block& block) {
-  std::array<ShaftPixel, kShafts> shafts;
-  for (size_t i = 0; i < block.count; ++i) {
-    const Pixel& pixel = block.pixels[i];
-    shafts[i] = {&pixel.patch, pixel.ray_origin_world, pixel.n_geometric_world};
+bool is_settled(const BlockJob& job, Half judge, const Block& block) {
+  for (size_t i = 0; i < block.pixels.shafts.size(); ++i) {
+    if (block.proofs[i] != LightProof::none) continue;
+    if (!job.target_se || standard_error_by(judge, block.samples[i].sums) > *job.target_se) return false;
   }
-  const auto proofs =
-      prove_light(job.occluders, job.scene, job.scene_extent_world, {shafts.data(), block.count});
-  for (size_t i = 0; i < block.count; ++i) block.pixels[i].proof = proofs[i];
-}
-
-bool is_settled(const BlockJob& job, Half judge, const Pixel& pixel) {
-  if (pixel.proof != LightProof::none) return true;
-  return job.target_se && standard_error_by(judge, pixel.sums) <= *job.target_se;
+  return true;
 }
 
 /// A half that stopped by what its own samples look like would be biased: those that agree by chance stop early. So each
 /// half stops when the other one says so. What it is sampled after that only serves to judge the other.
 void sample_block(const BlockJob& job, Block& block) {
+  const size_t count = block.pixels.shafts.size();
   std::array<bool, 2> has_stopped{};
   uint32_t points = job.target_se ? std::min(kFirstRound, job.sets.points()) : job.sets.points();
   for (;;) {
-    for (Pixel& pixel : block.used()) {
-      if (job.skip_proven && pixel.proof != LightProof::none) continue;
-      sample_pixel(job.embree, pixel.ray_origin_world, pixel.patch, job.sets, pixel.seed, points, pixel.sums);
+    for (size_t i = 0; i < count; ++i) {
+      if (job.skip_proven && block.proofs[i] != LightProof::none) continue;
+      const ShaftPixel& shaft = block.pixels.shafts[i];
+      sample_pixel(job.embree, shaft.ray_origin_world, shaft.patch, job.sets,
+                   pixel_seed(job.seed, block.pixels.indices[i]), points, block.samples[i].sums);
     }
     const bool is_last = points == job.sets.points();
     for (size_t half = 0; half < 2; ++half) {
       if (has_stopped[half]) continue;
-      const Half judge = half == 0 ? Half::b : Half::a;
-      const auto settled = [&](const Pixel& pixel) { return is_settled(job, judge, pixel); };
-      if (!is_last && !std::ranges::all_of(block.used(), settled)) continue;
+      if (!is_last && !is_settled(job, half == 0 ? Half::b : Half::a, block)) continue;
       has_stopped[half] = true;
-      for (Pixel& pixel : block.used()) pixel.kept[half] = pixel.sums;
+      for (size_t i = 0; i < count; ++i) block.samples[i].kept[half] = block.samples[i].sums;
     }
     if (has_stopped[0] && has_stopped[1]) return;
     points = std::min(2 * points, job.sets.points());
   }
 }
 
-/// What the samples say; without any, what is proven.
-PixelEstimate estimate_of(const Pixel& pixel) {
-  PixelEstimate estimate = estimate_pixel(pixel.kept[0], pixel.kept[1]);
-  estimate.sample_count = kReplicates * pixel.sums.points;
-  if (pixel.proof == LightProof::none) return estimate;
-  estimate.visibility_se = 0.0;
-  if (estimate.sample_count > 0 || pixel.proof != LightProof::lit) return estimate;
+PixelEstimate proven_estimate(LightProof proof, const LightPatch& patch) {
+  PixelEstimate estimate;
+  if (proof != LightProof::lit) return estimate;
   estimate.visibility = estimate.half_a = estimate.half_b = 1.0;
-  estimate.irradiance_ratio = is_unlit(pixel.patch) ? 0.0 : 1.0;
+  estimate.irradiance_ratio = is_unlit(patch) ? 0.0 : 1.0;
   return estimate;
+}
+
+PixelEstimate sampled_estimate(LightProof proof, const PixelSamples& samples) {
+  PixelEstimate estimate = estimate_pixel(samples.kept[0], samples.kept[1]);
+  estimate.sample_count = kReplicates * samples.sums.points;
+  if (proof != LightProof::none) estimate.visibility_se = 0.0;
+  return estimate;
+}
+
+void write(const BlockJob& job, const BlockPixels& pixels, size_t i, const PixelEstimate& estimate,
+           ReferencePlanes& planes) {
+  const uint32_t index = pixels.indices[i];
+  planes.write_light(index, estimate);
+  if (!job.probe_blockers || estimate.visibility >= 1.0) return;
+  const ShaftPixel& shaft = pixels.shafts[i];
+  const ProbeJob probe{job.embree, job.light, shaft.patch, shaft.ray_origin_world, shaft.n_geometric_world};
+  planes.write_blockers(index, probe_blockers(probe, job.sets, pixel_seed(job.seed, index)));
+}
+
+void write_proven(const BlockJob& job, const BlockPixels& pixels, size_t i, LightProof proof,
+                  ReferencePlanes& planes) {
+  const PixelEstimate estimate = proven_estimate(proof, pixels.shafts[i].patch);
+  if (estimate.irradiance_ratio < 1.0) write(job, pixels, i, estimate, planes);  // else as the background is
 }
 
 }  // namespace
 
-void render_block(const BlockJob& job, int x0, int y0, ReferencePlanes& planes) {
-  Block block = shoot_primary(job, x0, y0, planes);
-  prove(job, block);
+void render_block(const BlockJob& job, const BlockPixels& pixels, bool all_lit, ReferencePlanes& planes) {
+  const size_t count = pixels.shafts.size();
+  const Proofs proofs = prove(job, pixels, all_lit);
+  const auto is_proven = [](LightProof proof) { return proof != LightProof::none; };
+  if (job.skip_proven && std::all_of(proofs.begin(), proofs.begin() + count, is_proven)) {
+    for (size_t i = 0; i < count; ++i) write_proven(job, pixels, i, proofs[i], planes);
+    return;
+  }
+  Block block{pixels, proofs, {}};
   sample_block(job, block);
-  for (const Pixel& pixel : block.used()) {
-    const PixelEstimate estimate = estimate_of(pixel);
-    BlockerStatistics blockers;
-    if (estimate.visibility < 1.0) {
-      blockers = probe_blockers(
-          {job.embree, job.light, pixel.patch, pixel.ray_origin_world, pixel.n_geometric_world}, job.sets,
-          pixel.seed);
+  for (size_t i = 0; i < count; ++i) {
+    if (block.samples[i].sums.points == 0) {
+      write_proven(job, pixels, i, proofs[i], planes);
+    } else {
+      write(job, pixels, i, sampled_estimate(proofs[i], block.samples[i]), planes);
     }
-    planes.write_light(pixel.index, estimate, blockers);
   }
 }
 

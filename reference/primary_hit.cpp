@@ -10,13 +10,47 @@ namespace umbrameter {
 
 namespace {
 
-struct Corners {
-  glm::dvec3 a, b, c;
+constexpr uint32_t kRays = kBlock * kBlock;
+
+/// What all points of a triangle share.
+struct SeenTriangle {
+  glm::dvec3 a{0.0}, b{0.0}, c{0.0};
+  glm::dvec3 n_world{0.0};        // by its winding
+  double needed_per_reach = 0.0;  // how high shadow rays must start, over the distance to the farthest corner
+  bool is_flat = true;            // else:
+  glm::dvec3 per_weight_b{0.0}, per_weight_c{0.0};  // barycentric weights are dot(p - a, these)
+  glm::dvec3 normal_a{0.0}, normal_b{0.0}, normal_c{0.0};
 };
 
-Corners corners_of(const Scene& scene, uint32_t triangle) {
+/// Embree computes the distance from dot(a - origin, normal) with the normal from a cross product of edges. The product's
+/// error grows with the reach of the triangle and with how thin it is; slivers are capped.
+double needed_per_reach(const glm::dvec3& ab, const glm::dvec3& ac, double area2) {
+  constexpr double kRoundoffs = 8.0;
+  constexpr double kThinnest = 64.0;
+  const glm::dvec3 bc = ac - ab;
+  const double edge2 = std::max({glm::dot(ab, ab), glm::dot(ac, ac), glm::dot(bc, bc)});
+  return kRoundoffs * 0x1p-24 * std::min(kThinnest, edge2 / area2);
+}
+
+SeenTriangle see_triangle(const Scene& scene, uint32_t triangle) {
   const glm::uvec3 index = scene.triangles[triangle];
-  return {scene.positions_world[index.x], scene.positions_world[index.y], scene.positions_world[index.z]};
+  SeenTriangle t;
+  t.a = scene.positions_world[index.x];
+  t.b = scene.positions_world[index.y];
+  t.c = scene.positions_world[index.z];
+  t.n_world = triangle_normal_world(scene, triangle);
+  const glm::dvec3 ab = t.b - t.a, ac = t.c - t.a;
+  const glm::dvec3 area2 = glm::cross(ab, ac);
+  t.needed_per_reach = needed_per_reach(ab, ac, glm::length(area2));
+  if (scene.normals_world.empty()) return t;
+  t.is_flat = false;
+  const double scale = 1.0 / glm::dot(area2, area2);
+  t.per_weight_b = glm::cross(ac, area2) * scale;
+  t.per_weight_c = glm::cross(area2, ab) * scale;
+  t.normal_a = scene.normals_world[index.x];
+  t.normal_b = scene.normals_world[index.y];
+  t.normal_c = scene.normals_world[index.z];
+  return t;
 }
 
 /// Embree found the triangle; its plane gives the point to double precision. Edge-on, Embree's distance is
@@ -30,17 +64,10 @@ glm::dvec3 point_on_plane(const glm::dvec3& eye, const glm::dvec3& d, const glm:
   return p - n * glm::dot(n, p - a);
 }
 
-glm::dvec3 shading_normal(const Scene& scene, uint32_t triangle, const Corners& t, const glm::dvec3& p,
-                          const glm::dvec3& n_geometric) {
-  if (scene.normals_world.empty()) return n_geometric;
-  const glm::dvec3 area2 = glm::cross(t.b - t.a, t.c - t.a);
-  const double scale = 1.0 / glm::dot(area2, area2);
-  const double weight_b = glm::dot(glm::cross(p - t.a, t.c - t.a), area2) * scale;
-  const double weight_c = glm::dot(glm::cross(t.b - t.a, p - t.a), area2) * scale;
-  const glm::uvec3 index = scene.triangles[triangle];
-  const glm::dvec3 sum = (1.0 - weight_b - weight_c) * glm::dvec3(scene.normals_world[index.x]) +
-                         weight_b * glm::dvec3(scene.normals_world[index.y]) +
-                         weight_c * glm::dvec3(scene.normals_world[index.z]);
+glm::dvec3 shading_normal(const SeenTriangle& t, const glm::dvec3& p, const glm::dvec3& n_geometric) {
+  if (t.is_flat) return n_geometric;
+  const double b = glm::dot(p - t.a, t.per_weight_b), c = glm::dot(p - t.a, t.per_weight_c);
+  const glm::dvec3 sum = (1.0 - b - c) * t.normal_a + b * t.normal_b + c * t.normal_c;
   const double length = glm::length(sum);
   if (!(length > 0.0)) return n_geometric;
   const glm::dvec3 n = sum / length;
@@ -55,23 +82,13 @@ glm::dvec3 to_center_of(const Light& light, const glm::dvec3& p_world) {
   return length > 0.0 ? way / length : glm::dvec3(0.0);
 }
 
-}  // namespace
-
-glm::vec3 shadow_ray_origin(const glm::dvec3& p_world, const glm::dvec3& n_world,
-                            const glm::dvec3& to_light_world, const glm::dvec3& a_world,
-                            const glm::dvec3& b_world, const glm::dvec3& c_world) {
-  // Embree computes the distance from dot(a - origin, normal) with the normal from a cross product of edges.
-  // The product's error grows with the reach of the triangle and with how thin it is; slivers are capped.
-  constexpr double kRoundoffs = 8.0;
-  constexpr double kThinnest = 64.0;
-  const glm::dvec3 ab = b_world - a_world;
-  const glm::dvec3 ac = c_world - a_world;
-  const glm::dvec3 bc = c_world - b_world;
-  const double edge2 = std::max({glm::dot(ab, ab), glm::dot(ac, ac), glm::dot(bc, bc)});
-  const double thinness = std::min(kThinnest, edge2 / glm::length(glm::cross(ab, ac)));
-  const double reach = std::max(
-      {glm::distance(a_world, p_world), glm::distance(b_world, p_world), glm::distance(c_world, p_world)});
-  const double needed = kRoundoffs * 0x1p-24 * reach * thinness;
+/// Definition at PrimaryHit::receiver.
+glm::vec3 shadow_ray_origin(const SeenTriangle& t, const glm::dvec3& p_world, const glm::dvec3& n_world,
+                            const glm::dvec3& to_light_world) {
+  const glm::dvec3 from_a = p_world - t.a, from_b = p_world - t.b, from_c = p_world - t.c;
+  const double reach2 =
+      std::max({glm::dot(from_a, from_a), glm::dot(from_b, from_b), glm::dot(from_c, from_c)});
+  const double needed = t.needed_per_reach * std::sqrt(reach2);
 
   // Towards the light the point stays on its ray: raised along the normal it would see round the blocker's edge. Where the
   // light stands low the way there is long.
@@ -90,46 +107,78 @@ glm::vec3 shadow_ray_origin(const glm::dvec3& p_world, const glm::dvec3& n_world
   }
 }
 
-PrimaryCamera::PrimaryCamera(const Scene& scene, int width_px, int height_px)
-    : scene_(scene),
-      width_px_(width_px),
-      height_px_(height_px),
-      forward_world_(glm::normalize(scene.camera.at_world - scene.camera.eye_world)) {}
+/// The rays of a block: where they go in double precision, and as Embree's packet.
+struct Rays {
+  std::array<glm::dvec3, kRays> d_world;  // unit
+  alignas(64) std::array<int32_t, kRays> valid{};
+  RTCRayHit16 packet{};
+};
 
-std::optional<PrimaryHit> PrimaryCamera::hit(const EmbreeScene& embree, int x, int y) const {
+void set_ray(Rays& rays, uint32_t i, const glm::dvec3& eye_world, const glm::dvec3& way_world,
+             double near_world) {
+  const double length = glm::length(way_world);
+  rays.d_world[i] = way_world / length;
+  RTCRay16& ray = rays.packet.ray;
+  rays.valid[i] = -1;
+  ray.org_x[i] = static_cast<float>(eye_world.x);
+  ray.org_y[i] = static_cast<float>(eye_world.y);
+  ray.org_z[i] = static_cast<float>(eye_world.z);
+  ray.dir_x[i] = static_cast<float>(rays.d_world[i].x);
+  ray.dir_y[i] = static_cast<float>(rays.d_world[i].y);
+  ray.dir_z[i] = static_cast<float>(rays.d_world[i].z);
+  ray.tnear[i] = static_cast<float>(near_world * length);
+  ray.tfar[i] = std::numeric_limits<float>::infinity();
+  ray.mask[i] = ~0u;
+}
+
+}  // namespace
+
+PrimaryCamera::PrimaryCamera(const Scene& scene, int width_px, int height_px)
+    : scene_(scene), width_px_(width_px), height_px_(height_px) {
+  const glm::dvec3 forward_world = glm::normalize(scene.camera.at_world - scene.camera.eye_world);
+  const auto way = [&](const glm::dvec2& p_px) {
+    const glm::dvec3 d_world = camera_ray_direction_world(scene.camera, p_px, width_px, height_px);
+    return d_world / glm::dot(d_world, forward_world);
+  };
+  corner_world_ = way({0, 0});
+  per_x_world_ = (way({width_px, 0}) - corner_world_) / static_cast<double>(width_px);
+  per_y_world_ = (way({0, height_px}) - corner_world_) / static_cast<double>(height_px);
+}
+
+PrimaryBlock PrimaryCamera::hits(const EmbreeScene& embree, int x0, int y0) const {
   const Camera& camera = scene_.camera;
-  const glm::dvec3 d_world =
-      camera_ray_direction_world(camera, glm::dvec2(x + 0.5, y + 0.5), width_px_, height_px_);
-  RTCRayHit query{};
-  query.ray.org_x = static_cast<float>(camera.eye_world.x);
-  query.ray.org_y = static_cast<float>(camera.eye_world.y);
-  query.ray.org_z = static_cast<float>(camera.eye_world.z);
-  query.ray.dir_x = static_cast<float>(d_world.x);
-  query.ray.dir_y = static_cast<float>(d_world.y);
-  query.ray.dir_z = static_cast<float>(d_world.z);
-  query.ray.tnear = static_cast<float>(camera.near_world / glm::dot(d_world, forward_world_));
-  query.ray.tfar = std::numeric_limits<float>::infinity();
-  query.ray.mask = ~0u;
-  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  Rays rays;
+  std::fill_n(rays.packet.hit.geomID, kRays, RTC_INVALID_GEOMETRY_ID);
+  for (uint32_t i = 0; i < kRays; ++i) {
+    const int x = x0 + static_cast<int>(i % kBlock), y = y0 + static_cast<int>(i / kBlock);
+    if (x >= width_px_ || y >= height_px_) continue;
+    set_ray(rays, i, camera.eye_world, corner_world_ + (x + 0.5) * per_x_world_ + (y + 0.5) * per_y_world_,
+            camera.near_world);
+  }
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  rtcIntersect1(embree.handle(), &context, &query);
-  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  rtcIntersect16(rays.valid.data(), embree.handle(), &context, &rays.packet);
 
-  PrimaryHit hit;
-  hit.primitive = query.hit.primID;
-  const Corners t = corners_of(scene_, hit.primitive);
-  Receiver& receiver = hit.receiver;
-  receiver.n_geometric_world = triangle_normal_world(scene_, hit.primitive);
-  if (glm::dot(receiver.n_geometric_world, d_world) > 0.0) receiver.n_geometric_world *= -1.0;
-  receiver.p_world = point_on_plane(camera.eye_world, d_world, receiver.n_geometric_world, t.a,
-                                    static_cast<double>(query.ray.tfar));
-  receiver.n_shading_world =
-      shading_normal(scene_, hit.primitive, t, receiver.p_world, receiver.n_geometric_world);
-  receiver.ray_origin_world =
-      shadow_ray_origin(receiver.p_world, receiver.n_geometric_world,
-                        to_center_of(scene_.light(), receiver.p_world), t.a, t.b, t.c);
-  return hit;
+  PrimaryBlock block;
+  uint32_t seen = RTC_INVALID_GEOMETRY_ID;
+  SeenTriangle t;
+  for (uint32_t i = 0; i < kRays; ++i) {
+    if (rays.packet.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
+    const uint32_t primitive = rays.packet.hit.primID[i];
+    if (primitive != seen) t = see_triangle(scene_, primitive);
+    seen = primitive;
+    PrimaryHit& hit = block[i].emplace();
+    hit.primitive = primitive;
+    Receiver& receiver = hit.receiver;
+    receiver.n_geometric_world = glm::dot(t.n_world, rays.d_world[i]) > 0.0 ? -t.n_world : t.n_world;
+    receiver.p_world = point_on_plane(camera.eye_world, rays.d_world[i], receiver.n_geometric_world, t.a,
+                                      static_cast<double>(rays.packet.ray.tfar[i]));
+    receiver.n_shading_world = shading_normal(t, receiver.p_world, receiver.n_geometric_world);
+    receiver.ray_origin_world = shadow_ray_origin(t, receiver.p_world, receiver.n_geometric_world,
+                                                  to_center_of(scene_.light(), receiver.p_world));
+  }
+  return block;
 }
 
 }  // namespace umbrameter

@@ -2,7 +2,7 @@
 
 #include "core/error.h"
 #include "reference/embree_scene.h"
-#include "reference/pixel_block.h"
+#include "reference/pixel_tile.h"
 #include "reference/primary_hit.h"
 #include "reference/reference_planes.h"
 #include "reference/sample_sets.h"
@@ -24,7 +24,6 @@ namespace umbrameter {
 namespace {
 
 constexpr int kMaxSide = 16384;
-constexpr int kTile = 4 * kBlock;  // pixels; the grain of threads and of progress
 
 int checked_points(const ReferenceSettings& settings) {
   constexpr int kMaxSamples = 1 << 20;
@@ -62,14 +61,6 @@ int tiles_across(int side_px) {
   return (side_px + kTile - 1) / kTile;
 }
 
-void render_tile(const BlockJob& job, int tile_x, int tile_y, ReferencePlanes& planes) {
-  const int x_end = std::min((tile_x + 1) * kTile, planes.width());
-  const int y_end = std::min((tile_y + 1) * kTile, planes.height());
-  for (int y = tile_y * kTile; y < y_end; y += kBlock) {
-    for (int x = tile_x * kTile; x < x_end; x += kBlock) render_block(job, x, y, planes);
-  }
-}
-
 void warn_of_missed_target(const Image& image, double target_se, uint32_t sample_limit,
                            std::vector<std::string>& warnings) {
   const auto se = image.plane("visibility_se");
@@ -83,10 +74,16 @@ void warn_of_missed_target(const Image& image, double target_se, uint32_t sample
       fmt::format("{} pixels kept a standard error above {} at the sample limit", missed, target_se));
 }
 
+struct Geometry {
+  EmbreeScene embree;
+  OccluderTree occluders;
+};
+
 class ReferenceRenderer final : public Renderer {
  public:
-  explicit ReferenceRenderer(const ReferenceSettings& settings)
+  ReferenceRenderer(const ReferenceSettings& settings, std::shared_ptr<Geometry> geometry)
       : settings_(settings),
+        geometry_(std::move(geometry)),
         sets_(static_cast<uint32_t>(checked_points(settings))),
         arena_(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic) {
     arena_.initialize();
@@ -104,31 +101,33 @@ class ReferenceRenderer final : public Renderer {
   Frame render_local(const Scene& scene, const RenderRequest& request, Progress& progress) {
     const auto start = std::chrono::steady_clock::now();
     require_valid(scene, request);
+    EmbreeScene& embree = geometry_->embree;
     arena_.execute([&] {
-      if (embree_.load(scene)) occluders_.build(embree_, scene);
+      if (embree.load(scene)) geometry_->occluders.build(embree, scene);
     });
 
     Frame frame;
     frame.image = Image(request.width_px, request.height_px);
-    ReferencePlanes planes(frame.image);
+    ReferencePlanes planes(frame.image, settings_.probe_blockers);
     const PrimaryCamera camera(scene, request.width_px, request.height_px);
     const BlockJob job{scene.light(),
-                       embree_,
+                       embree,
                        camera,
                        sets_,
                        request.seed,
                        extent_of(scene),
                        settings_.target_se,
                        scene,
-                       occluders_,
-                       settings_.skip_proven};
+                       geometry_->occluders,
+                       settings_.skip_proven,
+                       settings_.probe_blockers};
     render_tiles(job, planes, progress);
 
     if (settings_.target_se) {
       warn_of_missed_target(frame.image, *settings_.target_se, kReplicates * sets_.points(), frame.warnings);
     }
-    frame.device = fmt::format("Embree {}, {} threads", embree_.version(), arena_.max_concurrency());
-    frame.memory_bytes = embree_.memory_bytes();
+    frame.device = fmt::format("Embree {}, {} threads", embree.version(), arena_.max_concurrency());
+    frame.memory_bytes = embree.memory_bytes();
     frame.wall_time_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return frame;
   }
@@ -141,7 +140,7 @@ class ReferenceRenderer final : public Renderer {
       tbb::parallel_for(tbb::blocked_range2d<int>(0, rows, 1, 0, columns, 1), [&](const auto& range) {
         for (int y = range.rows().begin(); y < range.rows().end(); ++y) {
           for (int x = range.cols().begin(); x < range.cols().end(); ++x) {
-            render_tile(job, x, y, planes);
+            render_tile(job, x * kTile, y * kTile, planes);
             progress.advance(1);
           }
         }
@@ -151,16 +150,24 @@ class ReferenceRenderer final : public Renderer {
   }
 
   ReferenceSettings settings_;
+  std::shared_ptr<Geometry> geometry_;
   SampleSets sets_;
   tbb::task_arena arena_;
-  EmbreeScene embree_;
-  OccluderTree occluders_;
 };
 
 }  // namespace
 
 std::unique_ptr<Renderer> make_reference_renderer(const ReferenceSettings& settings) {
-  return std::make_unique<ReferenceRenderer>(settings);
+  return std::make_unique<ReferenceRenderer>(settings, std::make_shared<Geometry>());
+}
+
+std::vector<std::unique_ptr<Renderer>> make_reference_renderers(std::span<const ReferenceSettings> settings) {
+  const auto geometry = std::make_shared<Geometry>();
+  std::vector<std::unique_ptr<Renderer>> renderers;
+  for (const ReferenceSettings& each : settings) {
+    renderers.push_back(std::make_unique<ReferenceRenderer>(each, geometry));
+  }
+  return renderers;
 }
 
 }  // namespace umbrameter

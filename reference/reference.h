@@ -5,6 +5,8 @@
 
 #include <memory>
 #include <optional>
+#include <span>
+#include <vector>
 
 namespace umbrameter {
 
@@ -18,6 +20,8 @@ struct ReferenceSettings {
   int threads = 0;  // 0 = all
   /// Off: pixels whose visibility is proven are sampled all the same. Only sample_count may change.
   bool skip_proven = true;
+  /// Off: no rays that ask what stands in the way; the six channels they fill are missing.
+  bool probe_blockers = true;
 };
 
 // What the channels of core/renderer.h mean here, per pixel, seen through its centre:
@@ -48,5 +52,8 @@ inline constexpr int kReplicates = 8;
 
 /// A Renderer over Embree; builds its acceleration structure per scene and keeps the last one.
 std::unique_ptr<Renderer> make_reference_renderer(const ReferenceSettings& settings);
+
+/// One for each of `settings`, which share the acceleration structure: not to be used at the same time.
+std::vector<std::unique_ptr<Renderer>> make_reference_renderers(std::span<const ReferenceSettings> settings);
 
 }  // namespace umbrameter

@@ -2,7 +2,7 @@
 
 namespace umbrameter {
 
-ReferencePlanes::ReferencePlanes(Image& image)
+ReferencePlanes::ReferencePlanes(Image& image, bool with_blockers)
     : width_(image.width),
       height_(image.height),
       position_(add_vector(image, "position")),
@@ -15,13 +15,15 @@ ReferencePlanes::ReferencePlanes(Image& image)
       half_a_(image.add_plane("half_a", 1.0f)),
       half_b_(image.add_plane("half_b", 1.0f)),
       irradiance_ratio_(image.add_plane("irradiance_ratio", 1.0f)),
-      sample_count_(image.add_plane("sample_count")),
-      blocker_distance_(image.add_plane("blocker_distance")),
-      blocker_distance_min_(image.add_plane("blocker_distance_min")),
-      blocker_distance_p10_(image.add_plane("blocker_distance_p10")),
-      blocker_layers_(image.add_plane("blocker_layers")),
-      penumbra_width_(image.add_plane("penumbra_width")),
-      contact_distance_(image.add_plane("contact_distance")) {}
+      sample_count_(image.add_plane("sample_count")) {
+  if (!with_blockers) return;
+  blocker_distance_ = image.add_plane("blocker_distance");
+  blocker_distance_min_ = image.add_plane("blocker_distance_min");
+  blocker_distance_p10_ = image.add_plane("blocker_distance_p10");
+  blocker_layers_ = image.add_plane("blocker_layers");
+  penumbra_width_ = image.add_plane("penumbra_width");
+  contact_distance_ = image.add_plane("contact_distance");
+}
 
 ReferencePlanes::Vector ReferencePlanes::add_vector(Image& image, const std::string& name) {
   return {image.add_plane(name + ".x"), image.add_plane(name + ".y"), image.add_plane(name + ".z")};
@@ -44,14 +46,16 @@ void ReferencePlanes::write_unshadowed_irradiance(size_t pixel, double irradianc
   unshadowed_irradiance_[pixel] = static_cast<float>(irradiance);
 }
 
-void ReferencePlanes::write_light(size_t pixel, const PixelEstimate& estimate,
-                                  const BlockerStatistics& blockers) {
+void ReferencePlanes::write_light(size_t pixel, const PixelEstimate& estimate) {
   visibility_[pixel] = static_cast<float>(estimate.visibility);
   visibility_se_[pixel] = static_cast<float>(estimate.visibility_se);
   half_a_[pixel] = static_cast<float>(estimate.half_a);
   half_b_[pixel] = static_cast<float>(estimate.half_b);
   irradiance_ratio_[pixel] = static_cast<float>(estimate.irradiance_ratio);
   sample_count_[pixel] = static_cast<float>(estimate.sample_count);
+}
+
+void ReferencePlanes::write_blockers(size_t pixel, const BlockerStatistics& blockers) {
   blocker_distance_[pixel] = static_cast<float>(blockers.distance_mean_world);
   blocker_distance_min_[pixel] = static_cast<float>(blockers.distance_min_world);
   blocker_distance_p10_[pixel] = static_cast<float>(blockers.distance_p10_world);

@@ -10,15 +10,17 @@ namespace umbrameter {
 
 class ReferencePlanes {
  public:
-  /// Adds the channels to `image`, every pixel set to background.
-  explicit ReferencePlanes(Image& image);
+  /// Adds the channels to `image`, every pixel set to background; those of blockers only `with_blockers`.
+  ReferencePlanes(Image& image, bool with_blockers);
 
   int width() const { return width_; }
   int height() const { return height_; }
 
   void write_surface(size_t pixel, const PrimaryHit& hit);
   void write_unshadowed_irradiance(size_t pixel, double irradiance);
-  void write_light(size_t pixel, const PixelEstimate& estimate, const BlockerStatistics& blockers);
+  /// Not needed where all of the light is seen: the background is written alike.
+  void write_light(size_t pixel, const PixelEstimate& estimate);
+  void write_blockers(size_t pixel, const BlockerStatistics& blockers);
 
  private:
   using Plane = std::span<float>;

@@ -45,9 +45,13 @@ UMBRAMETER_LANES void to_disk(Lanes& a, Lanes& b) {
 /// Patch coordinates of the samples: 32-bit fractions read as signed lie in [-1,1).
 UMBRAMETER_LANES void place_samples(const LightPatch& patch, const SampleStream& stream, uint32_t first,
                                     Lanes& a, Lanes& b) {
+  // Pointers to start from: an index that could wrap is fetched lane by lane.
+  const uint32_t* x = stream.x + first;
+  const uint32_t* y = stream.y + first;
+  const uint32_t shift_x = stream.shift_x, shift_y = stream.shift_y;
   for (uint32_t i = 0; i < kBatch; ++i) {
-    a[i] = static_cast<float>(static_cast<int32_t>(stream.x[first + i] ^ stream.shift_x)) * 0x1p-31f;
-    b[i] = static_cast<float>(static_cast<int32_t>(stream.y[first + i] ^ stream.shift_y)) * 0x1p-31f;
+    a[i] = static_cast<float>(static_cast<int32_t>(x[i] ^ shift_x)) * 0x1p-31f;
+    b[i] = static_cast<float>(static_cast<int32_t>(y[i] ^ shift_y)) * 0x1p-31f;
   }
   if (patch.round) to_disk(a, b);
 }
@@ -85,15 +89,20 @@ UMBRAMETER_LANES void end_on_sphere(const LightPatch& patch, const Lanes& length
   }
 }
 
+/// Not std::fill_n, which is not cloned and would write in narrow steps what is then read as a whole.
+UMBRAMETER_LANES void end_at(float fraction, ShadowRayBatch& batch) {
+  for (uint32_t i = 0; i < kBatch; ++i) batch.rays.tfar[i] = fraction;
+}
+
 /// Falloff and ray ends.
 UMBRAMETER_LANES void finish(const LightPatch& patch, const Lanes& length2, ShadowRayBatch& batch) {
   if (patch.at_infinity) {
     for (uint32_t i = 0; i < kBatch; ++i) batch.weight[i] /= std::sqrt(length2[i]);
-    std::fill_n(batch.rays.tfar, kBatch, std::numeric_limits<float>::infinity());
+    end_at(std::numeric_limits<float>::infinity(), batch);
     return;
   }
   for (uint32_t i = 0; i < kBatch; ++i) batch.weight[i] /= length2[i] * length2[i];
-  std::fill_n(batch.rays.tfar, kBatch, patch.end_fraction);
+  end_at(patch.end_fraction, batch);
   if (patch.sphere_radius_world > 0.0f) end_on_sphere(patch, length2, batch.rays.tfar);
 }
 

@@ -17,6 +17,7 @@ struct Context {
   const BenchPlan& plan;
   Renderers renderers;
   Progress& progress;
+  const TruthPlan& truth;
 };
 
 /// The pictures of a scene's runs: all show the same surfaces.
@@ -134,6 +135,11 @@ BenchScene bench_scene(const Context& context, std::vector<Skip>& skipped) {
   BenchScene scene = describe(context.job);
   const Pictures pictures = time_runs(context, scene, skipped);
   if (pictures.surfaces) score_runs(context, pictures, scene);
+  if (!context.truth.settings.empty() && !scene.failure)
+    scene.failure = guarded([&] {
+      const RenderRequest request = request_of(context.plan, context.plan.reference_seed);
+      scene.truth = measure_truth(context.job.scene, request, context.truth, context.progress);
+    });
   find_front(scene.entries);
   scene.claims = judge_claims(context.plan.claims, scene.name, scene.entries);
   return scene;
@@ -148,7 +154,7 @@ bool is_software(const BenchResults& results) {
 }
 
 BenchResults run_bench(std::span<const SceneJob> scenes, const BenchPlan& plan, Renderers renderers,
-                       Progress& progress, const BenchSceneDone& scene_done) {
+                       Progress& progress, const BenchSceneDone& scene_done, const TruthPlan& truth) {
   BenchResults results;
   results.version = UMBRAMETER_VERSION;
   results.commit = UMBRAMETER_COMMIT;
@@ -157,7 +163,7 @@ BenchResults run_bench(std::span<const SceneJob> scenes, const BenchPlan& plan, 
     const std::string prefix =
         fmt::format("{} ({} of {}), ", job.name, results.scenes.size() + 1, scenes.size());
     RenamedProgress renamed(progress, [&](std::string_view task) { return prefix + std::string(task); });
-    results.scenes.push_back(bench_scene({job, plan, renderers, renamed}, results.skipped));
+    results.scenes.push_back(bench_scene({job, plan, renderers, renamed, truth}, results.skipped));
     if (scene_done) scene_done(results.scenes.back());
   }
   return results;

@@ -4,6 +4,7 @@
 
 #include "study/claims.h"
 #include "study/timing.h"
+#include "study/truth_curve.h"
 #include "study/validation.h"
 
 #include <cstdint>
@@ -47,6 +48,7 @@ struct BenchScene {
   std::optional<ParityNumbers> parity;
   std::vector<BenchEntry> entries;
   std::vector<ClaimResult> claims;  // those that speak of this scene
+  std::optional<TruthCurve> truth;  // when it was asked for
 };
 
 struct BenchResults {
@@ -65,9 +67,11 @@ bool is_software(const BenchResults& results);
 
 using BenchSceneDone = std::function<void(const BenchScene&)>;
 
-/// Runs everything; a run that throws is recorded and the rest goes on (Error{cancelled} passes through).
+/// Runs everything; a run that throws is recorded and the rest goes on (Error{cancelled} passes through). `truth` may be
+/// empty.
 BenchResults run_bench(std::span<const SceneJob> scenes, const BenchPlan& plan, Renderers renderers,
-                       Progress& progress, const BenchSceneDone& scene_done = {});
+                       Progress& progress, const BenchSceneDone& scene_done = {},
+                       const TruthPlan& truth = {});
 
 /// Every failure, as "scene: message" or "scene, run: message".
 std::vector<Failure> all_failures(const BenchResults& results);

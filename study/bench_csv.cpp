@@ -70,4 +70,24 @@ std::string to_csv(const BenchResults& results) {
   return text;
 }
 
+std::string truth_csv(const BenchResults& results) {
+  std::string text = csv_line({"scene", "kind", "setting", "cpu_s", "cpu_mad_s", "rays_per_pixel", "rmse",
+                               "rmse_low", "rmse_high", "exponent"});
+  for (const BenchScene& scene : results.scenes) {
+    if (!scene.truth) continue;
+    for (const TruthPoint& point : scene.truth->points) {
+      std::vector<std::string> row{scene.name,
+                                   point.kind,
+                                   csv_number(point.setting),
+                                   csv_number(point.cpu_s.median),
+                                   csv_number(point.cpu_s.mad),
+                                   csv_number(point.rays_per_pixel)};
+      add_interval(point.rmse, row);
+      row.push_back(scene.truth->exponent ? csv_number(*scene.truth->exponent) : "");
+      text += csv_line(row);
+    }
+  }
+  return text;
+}
+
 }  // namespace umbrameter

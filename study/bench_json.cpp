@@ -57,6 +57,24 @@ Json ranking_json(const Ranking& ranking, const BenchScene& scene) {
   return labels;
 }
 
+Json truth_json(const TruthCurve& truth) {
+  Json points = Json::array();
+  for (const TruthPoint& point : truth.points) {
+    const auto rmse = [&](double Interval::*part) {
+      return point.rmse ? Json((*point.rmse).*part) : Json(nullptr);
+    };
+    points.push_back({{"kind", point.kind},
+                      {"setting", point.setting},
+                      {"cpu_s", point.cpu_s.median},
+                      {"cpu_mad_s", point.cpu_s.mad},
+                      {"rays_per_pixel", point.rays_per_pixel},
+                      {"rmse", rmse(&Interval::value)},
+                      {"rmse_low", rmse(&Interval::low)},
+                      {"rmse_high", rmse(&Interval::high)}});
+  }
+  return {{"points", points}, {"exponent", optional_json(truth.exponent)}};
+}
+
 Json scene_json(const BenchScene& scene, const BenchPlan& plan, const BenchQueries& queries) {
   Json entries = Json::array();
   for (const BenchEntry& entry : scene.entries) entries.push_back(entry_json(entry));
@@ -75,6 +93,7 @@ Json scene_json(const BenchScene& scene, const BenchPlan& plan, const BenchQueri
             {"runs", entries},
             {"claims", claims}};
   if (!json["parity"].is_null()) json["parity"].erase("picture_file");
+  if (scene.truth) json["truth"] = truth_json(*scene.truth);
   const auto best = recommended(scene.entries);
   json["recommended"] = best ? Json(scene.entries[*best].label) : Json(nullptr);
   if (queries.best_under_ms)

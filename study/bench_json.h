@@ -21,5 +21,7 @@ std::string to_json_text(const BenchResults& results, const BenchQueries& querie
 
 /// One line a scene and run under a line of names, fields quoted where needed.
 std::string to_csv(const BenchResults& results);
+/// The same, a line a scene and setting of the truth.
+std::string truth_csv(const BenchResults& results);
 
 }  // namespace umbrameter
