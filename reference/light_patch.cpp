@@ -16,39 +16,30 @@ constexpr double kUnitRoundoff = 0x1p-24;  // of float
 struct PatchPlane {
   glm::dvec3 to_center;
   glm::dvec3 axis;  // unit
-  glm::dvec3 per_a{0.0};
-  glm::dvec3 per_b{0.0};
+  glm::dvec3 per_a;
+  glm::dvec3 per_b;
 };
-
-bool is_flat(const Light& light) {
-  return light.type == LightType::rect || light.type == LightType::disk;
-}
 
 /// Coordinate 1 is twice as far from the centre as uv = 3/4, for the square and for the disk alike.
 template <class PointAt>
-void span_plane(const PointAt& point_at, PatchPlane& plane) {
+PatchPlane plane_through(const glm::dvec3& to_center, const glm::dvec3& axis, const PointAt& point_at) {
   const glm::dvec3 middle = point_at(glm::dvec2(0.5, 0.5));
-  plane.per_a = 2.0 * (point_at(glm::dvec2(0.75, 0.5)) - middle);
-  plane.per_b = 2.0 * (point_at(glm::dvec2(0.5, 0.75)) - middle);
+  return {to_center, axis, 2.0 * (point_at(glm::dvec2(0.75, 0.5)) - middle),
+          2.0 * (point_at(glm::dvec2(0.5, 0.75)) - middle)};
 }
 
 PatchPlane find_plane(const Light& light, const glm::dvec3& p_world, const LightSample& middle) {
   const glm::dvec3& way = middle.to_light_world;
-  if (is_flat(light)) {
-    PatchPlane plane{way * middle.distance_world, light.direction_world};
-    span_plane([&](const glm::dvec2& uv) { return light_point(light, uv); }, plane);
-    return plane;
+  if (light.type == LightType::rect || light.type == LightType::disk) {
+    return plane_through(way * middle.distance_world, light.direction_world,
+                         [&](const glm::dvec2& uv) { return light_point(light, uv); });
   }
   // Samples are directions; their points are where these meet the plane.
   const double distance = light.type == LightType::sphere ? glm::distance(light.center_world, p_world) : 1.0;
-  PatchPlane plane{way * distance, way};
-  span_plane(
-      [&](const glm::dvec2& uv) {
-        const glm::dvec3 direction = sample_light(light, p_world, way, uv).to_light_world;
-        return direction * (distance / glm::dot(direction, way));
-      },
-      plane);
-  return plane;
+  return plane_through(way * distance, way, [&](const glm::dvec2& uv) {
+    const glm::dvec3 direction = sample_light(light, p_world, way, uv).to_light_world;
+    return direction * (distance / glm::dot(direction, way));
+  });
 }
 
 PatchForm form_of(double center, double per_a, double per_b) {
@@ -78,12 +69,17 @@ float greatest(const PatchForm& form, bool round) {
 
 }  // namespace
 
+glm::dvec3 to_light_center(const Light& light, const glm::dvec3& p_world) {
+  if (light.type == LightType::sun) return -light.direction_world;
+  const glm::dvec3 way = light.center_world - p_world;
+  const double length = glm::length(way);
+  return length > 0.0 ? way / length : glm::dvec3(0.0);
+}
+
 LightPatch make_light_patch(const Light& light, const Receiver& receiver, double scene_extent_world) {
   LightPatch patch;
   const glm::dvec3& p = receiver.p_world;
-  // A receiver that faces the light's centre.
-  const glm::dvec3 facing = sample_light(light, p, receiver.n_geometric_world, {0.5, 0.5}).to_light_world;
-  const LightSample middle = sample_light(light, p, facing, {0.5, 0.5});
+  const LightSample middle = sample_light(light, p, to_light_center(light, p), {0.5, 0.5});
   patch.dark = !(middle.irradiance_weight > 0.0);
   if (patch.dark) return patch;
   const PatchPlane plane = find_plane(light, p, middle);

@@ -36,6 +36,9 @@ struct LightPatch {
   float end_fraction = 1.0f;         // rays end at this fraction of the way: 1 less rounding error
 };
 
+/// Unit direction towards the light's centre; zero at the very centre.
+glm::dvec3 to_light_center(const Light& light, const glm::dvec3& p_world);
+
 /// The receiver of light: a point, its normals, and where its shadow rays start.
 struct Receiver {
   glm::dvec3 p_world{0.0};

@@ -75,15 +75,14 @@ double mean_over(const Rule& rule, const LightPatch& patch) {
   thread_local ShadowRayBatch batch(glm::vec3(0.0f));  // costs as much to set up as a rule to sum
   const SampleStream stream{rule.a.data(), rule.b.data(), 0, 0};
   const auto points = static_cast<uint32_t>(rule.weights.size());
-  std::array<double, kBatch> sums{};
+  Lanes sums{};
   for (uint32_t first = 0; first < points; first += kBatch) {
     make_shadow_rays(patch, stream, first, points, batch);
-    for (uint32_t i = 0; i < kBatch; ++i) {
-      sums[i] += static_cast<double>(batch.weight[i] * rule.weights[first + i]);
-    }
+    const float* weights = rule.weights.data() + first;
+    for (uint32_t i = 0; i < kBatch; ++i) sums[i] += batch.weight[i] * weights[i];
   }
   double sum = 0.0;
-  for (const double each : sums) sum += each;
+  for (const float each : sums) sum += static_cast<double>(each);
   return sum;
 }
 

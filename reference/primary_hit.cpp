@@ -74,14 +74,6 @@ glm::dvec3 shading_normal(const SeenTriangle& t, const glm::dvec3& p, const glm:
   return glm::dot(n, n_geometric) < 0.0 ? -n : n;
 }
 
-/// Unit; zero at the light's very centre.
-glm::dvec3 to_center_of(const Light& light, const glm::dvec3& p_world) {
-  if (light.type == LightType::sun) return -light.direction_world;
-  const glm::dvec3 way = light.center_world - p_world;
-  const double length = glm::length(way);
-  return length > 0.0 ? way / length : glm::dvec3(0.0);
-}
-
 /// Definition at PrimaryHit::receiver.
 glm::vec3 shadow_ray_origin(const SeenTriangle& t, const glm::dvec3& p_world, const glm::dvec3& n_world,
                             const glm::dvec3& to_light_world) {
@@ -176,7 +168,7 @@ PrimaryBlock PrimaryCamera::hits(const EmbreeScene& embree, int x0, int y0) cons
                                       static_cast<double>(rays.packet.ray.tfar[i]));
     receiver.n_shading_world = shading_normal(t, receiver.p_world, receiver.n_geometric_world);
     receiver.ray_origin_world = shadow_ray_origin(t, receiver.p_world, receiver.n_geometric_world,
-                                                  to_center_of(scene_.light(), receiver.p_world));
+                                                  to_light_center(scene_.light(), receiver.p_world));
   }
   return block;
 }

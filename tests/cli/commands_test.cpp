@@ -110,12 +110,14 @@ TEST_F(Commands, AnInstallationWithoutScenesIsAnEnvironmentError) {
 }
 
 TEST_F(Commands, InterruptionLeavesNothing) {
-  const ProcessResult result =
-      umbrameter({"reference", "colonnade", "--quality", "full", "-o", "made/for/ref.exr"},
-                 {.timeout_s = 60, .signal = SIGINT, .signal_after_ms = 1500});
-  EXPECT_EQ(result.exit_code, 130) << result.err;
-  EXPECT_THAT(result.err, HasSubstr("interrupted"));
-  EXPECT_THAT(files(), IsEmpty());
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const ProcessResult result = umbrameter(
+        {"reference", "colonnade", "--quality", "full", "--spp", "65536", "-o", "made/for/ref.exr"},
+        {.timeout_s = 60, .signal = signal, .signal_after_ms = 1500});
+    EXPECT_EQ(result.exit_code, 128 + signal) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("interrupted"));
+    EXPECT_THAT(files(), IsEmpty());
+  }
 }
 
 TEST_F(GlCommands, ValidateWritesImagesResultsAndReport) {
