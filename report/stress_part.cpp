@@ -21,6 +21,12 @@ std::string text_of(const Json& object, const char* key) {
   return object.at(key).get<std::string>();
 }
 
+/// Empty for plain numbers.
+std::string unit_of(const Json& axis) {
+  const std::string unit = text_of(axis, "unit");
+  return unit == "1" ? "" : unit;
+}
+
 /// What a person calls it: "leak", "wrong width", "refused".
 std::string words_of(const Json& cell) {
   const std::string name = text_of(cell, "outcome");
@@ -85,7 +91,7 @@ std::string map_table(const Json& stress, size_t map) {
       const std::string axis_name = text_of(axis, "name");
       const Json* range = ranges[name][axis_name];
       html += range == nullptr ? "<td role=\"gridcell\" class=\"none\">-</td>"
-                               : map_cell(*range, text_of(axis, "unit"), axis_anchor(map, axis_name));
+                               : map_cell(*range, unit_of(axis), axis_anchor(map, axis_name));
     }
     html += "</tr>\n";
   }
@@ -97,7 +103,7 @@ std::string value_cell(const Json& cell) {
   const auto rmse = read_interval(cell.at("rmse"));
   const std::string outcome = text_of(cell, "outcome"), how = text_of(cell, "how"), words = words_of(cell);
   std::string text = rmse ? format_error(rmse->value) : "";
-  if (outcome != "ok") text += (text.empty() ? "" : " ") + words;
+  if (outcome != "ok" || text.empty()) text += (text.empty() ? "" : " ") + words;
   return fmt::format("<td class=\"{}\"{}>{}</td>", escape_html(outcome),
                      how.empty() || how == words ? "" : " title=\"" + escape_html(how) + "\"", escape_html(text));
 }
@@ -105,7 +111,7 @@ std::string value_cell(const Json& cell) {
 using CellsOfRow = std::map<std::string, std::map<size_t, const Json*>>;  // by row and value
 
 std::string axis_details(const Json& axis, const Json& rows, CellsOfRow& cells, const std::string& anchor) {
-  const std::string unit = text_of(axis, "unit");
+  const std::string unit = unit_of(axis);
   std::string html = fmt::format(
       "<details class=\"facts\" id=\"{}\"><summary>{}{}: {}</summary><div class=\"table-scroll\" tabindex=\"0\" "
       "role=\"region\" aria-label=\"Axis {}\"><table class=\"map\"><thead><tr><th scope=\"col\">Technique</th>",

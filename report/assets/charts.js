@@ -109,18 +109,27 @@ function errorAxis(title, points) {
   return axis(title, {min: Math.min(0, ...points.map(point => point.bars.y[0])), suggestedMax: Math.max(...points.map(point => point.bars.y[1]))});
 }
 
-// Time against error: the front joined, the rest hollow, `marked` ones larger. `more`: further sets.
+// Of points sorted by time those that are closer to the truth than all before: the front's steps.
+function stepsOf(sorted) {
+  const steps = [];
+  for (const {x, y} of sorted) if (steps.length === 0 || y < steps.at(-1).y) steps.push({x, y});
+  return steps;
+}
+
+// Time against error: the front filled and its steps joined, the rest hollow, `marked` ones larger. `more`: further sets.
 function timesConfig(points, isOnFront, isMarked, more, options) {
   const colours = themeColours();
   const front = points.filter(isOnFront).sort((a, b) => a.x - b.x), rest = points.filter(point => !isOnFront(point));
   const set = (label, data, style) => ({label, data, pointRadius: data.map(point => isMarked(point) ? 8 : 5), ...style});
+  const sets = [
+    set("front", front, {borderColor: colours.second, backgroundColor: colours.second, pointStyle: "circle", hasNames: true}),
+    set("dominated", rest, {borderColor: colours.quiet, backgroundColor: "transparent", pointStyle: "rectRot"}),
+    ...more,
+    {label: "", data: stepsOf(front), type: "line", stepped: true, borderWidth: 1, pointRadius: 0, borderColor: colours.second, backgroundColor: "transparent", isQuiet: true},
+  ];
   return {
     type: "scatter",
-    data: {datasets: [
-      set("front", front, {borderColor: colours.second, backgroundColor: colours.second, pointStyle: "circle", showLine: true, stepped: true, borderWidth: 1, hasNames: true}),
-      set("dominated", rest, {borderColor: colours.quiet, backgroundColor: "transparent", pointStyle: "rectRot"}),
-      ...more,
-    ]},
+    data: {datasets: sets.filter(one => one.data.length > 0)},
     options: {
       scales: {x: axis("time of a frame, ms", {type: "logarithmic"}), y: errorAxis("RMSE of V", points)},
       plugins: {tooltip: {callbacks: {label: item => `${item.raw.label}: ${item.raw.x.toPrecision(3)} ms, RMSE ${item.raw.y.toFixed(5)}`}}},
