@@ -165,7 +165,7 @@ std::string outcome_text(const SweepOutcome& outcome) {
     return outcome.verdicts.contains(verdict) ? outcome.verdicts.at(verdict) : 0;
   };
   return text + fmt::format(
-                    "\nagainst each scene's first run: {} better, {} worse, {} the same, {} cannot be told\n",
+                    "\nagainst each scene's first run: {} better, {} worse, {} the same, {} undecided\n",
                     count(Comparison::better), count(Comparison::worse), count(Comparison::same),
                     count(Comparison::cannot_tell));
 }

@@ -77,7 +77,7 @@ TEST(StudyFileTest, SlipsInCamerasAreNamedAtTheirPlace) {
   };
   EXPECT_THAT(slip("orbit_deg = 1\n"), HasSubstr("study.toml:4"));
   EXPECT_THAT(slip("name = \"\"\n"), HasSubstr("name is empty"));
-  EXPECT_THAT(slip("name = \"a\"\norbit = 3\n"), HasSubstr("did you mean 'orbit_deg'?"));
+  EXPECT_THAT(slip("name = \"a\"\norbit_dg = 3\n"), HasSubstr("did you mean 'orbit_deg'?"));
   EXPECT_THAT(slip("name = \"a\"\norbit_deg = 360\n"), HasSubstr("no angle between"));
   EXPECT_THAT(slip("name = \"a\"\norbit_deg = []\n"), HasSubstr("is empty"));
   EXPECT_THAT(slip("name = \"a\"\norbit_deg = 3\neye = [0, 0, 1]\n"), HasSubstr("there is no other place"));

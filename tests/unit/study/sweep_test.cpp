@@ -221,6 +221,14 @@ TEST_F(SweepTest, VerdictsComeFromStoredImages) {
   plan_.runs.back().technique.label = "as far off";
   plan_.runs.back().technique.parameters["taps"] = int64_t{17};
   scenes_.resize(1);
+  realtime_ = FakeRenderer([](const RenderRequest& request) {  // wrong everywhere, so that no place disagrees
+    Image image = technique_image(0.0f);
+    if (request.technique == "broken") fail_input("does not compile");
+    if (request.technique == "off") std::ranges::fill(image.plane("visibility"), 0.6f);
+    Frame frame = frame_of(std::move(image));
+    frame.parameters = request.parameters;
+    return frame;
+  });
   const SweepOutcome outcome = sweep();
   EXPECT_EQ(outcome.verdicts.at(Comparison::better), 1u);
   EXPECT_EQ(outcome.verdicts.at(Comparison::same), 1u);
