@@ -64,7 +64,7 @@ int verdict(const BenchResults& results) {
 struct LoadedStudy {
   Quality quality;
   BenchPlan plan;
-  std::vector<SceneJob> scenes;
+  std::vector<StudyScene> scenes;
 };
 
 LoadedStudy load(const std::string& file, const BenchOptions& options, const Home& home,

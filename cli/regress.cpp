@@ -62,7 +62,8 @@ LoadedSuite load(const RegressOptions& options, const GlobalOptions& global, con
   if (plan.gates.time_ratio) plan.timed_frames = suite.study.frames;
   plan.timing_budget_s = suite.study.frame_budget_s;
   for (const BenchRun& run : choose_study_runs(suite.study, file, home)) plan.runs.push_back(run.technique);
-  loaded.scenes = load_study_scenes(suite.study, file, scene_search(global, home), progress);
+  for (StudyScene& scene : load_study_scenes(suite.study, file, scene_search(global, home), progress))
+    loaded.scenes.push_back({full_name(scene), std::move(scene.scene)});
   loaded.baseline_file = std::filesystem::path(options.baseline_folder) / (plan.suite + ".toml");
   return loaded;
 }

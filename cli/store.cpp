@@ -5,6 +5,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "study/sweep/merge.h"
+#include "study/sweep/verdicts.h"
 
 #include <fmt/format.h>
 
@@ -46,12 +47,14 @@ struct ExportOptions {
   std::string folder;
   bool csv = false;
   bool all = false;
+  std::string baseline;
 };
 
 int export_store(const ExportOptions& options, const GlobalOptions& global) {
   if (options.csv && global.json) fail_input("both --csv and --json are given", {}, "choose one");
   Store store(options.folder, Database::Mode::read);
-  const StoredRuns runs = stored_runs(store, options.all);
+  StoredRuns runs = stored_runs(store, options.all);
+  judge_runs(store, runs.runs, options.baseline);
   print_warnings(store);
   if (runs.older > 0)
     print_note(fmt::format("{} older results of the same runs are left out (--all shows them)", runs.older));
@@ -85,6 +88,8 @@ void add_export(CLI::App& app, CommandLine& line) {
   verb->fallthrough();
   verb->add_option("folder", options->folder, "--out folder of a sweep")->required();
   verb->add_flag("--csv", options->csv, "one line a run, with a column for each parameter");
+  verb->add_option("--baseline", options->baseline,
+                   "label of the run that verdicts are against; default: each scene's first in its sweep");
   verb->add_flag("--all", options->all,
                  "also results that were made again since, by other code or on another device");
   verb->callback(

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/names.h"
+#include "scenes/seen_from.h"
 
 #include <fmt/format.h>
 
@@ -31,6 +32,10 @@ ParameterValue read_value(const Technique& technique, const std::string& name, c
              suggest_name(name, known));
 }
 
+StudyScene seen_by(const StudyCamera& camera, const StudyScene& own) {
+  return {own.name, seen_from(own.scene, camera_in(camera, own.scene.camera)), camera.name};
+}
+
 TechniqueRun choose_run(const StudyRun& run, const std::string& request, const Technique& technique) {
   ParameterValues values;
   if (!run.preset.empty()) values["preset"] = run.preset;
@@ -48,17 +53,18 @@ TechniqueRun choose_run(const StudyRun& run, const std::string& request, const T
 
 }  // namespace
 
-std::vector<SceneJob> load_study_scenes(const StudyFile& study, const std::filesystem::path& file,
-                                        const SceneSearch& search, Progress& progress) {
-  std::vector<SceneJob> jobs;
+std::vector<StudyScene> load_study_scenes(const StudyFile& study, const std::filesystem::path& file,
+                                          const SceneSearch& search, Progress& progress) {
+  std::vector<StudyScene> scenes;
   progress.begin("loading scenes", study.scenes.size());
   for (const std::string& name : study.scenes) {
-    jobs.push_back(load_scene_job(beside(file, name), search));
-    jobs.back().name = name;  // what claims call it
+    StudyScene scene{name, load_scene_job(beside(file, name), search).scene};
+    for (const StudyCamera& camera : study.cameras) scenes.push_back(seen_by(camera, scene));
+    if (study.cameras.empty()) scenes.push_back(std::move(scene));
     progress.advance(1);
   }
   progress.end();
-  return jobs;
+  return scenes;
 }
 
 std::vector<BenchRun> choose_study_runs(const StudyFile& study, const std::filesystem::path& file,

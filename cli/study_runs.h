@@ -11,10 +11,10 @@
 
 namespace umbrameter {
 
-/// Scene files and technique folders are looked for beside the study first. Scenes keep the study's names. Error{input}
-/// for what does not exist.
-std::vector<SceneJob> load_study_scenes(const StudyFile& study, const std::filesystem::path& file,
-                                        const SceneSearch& search, Progress& progress);
+/// Scene files and technique folders are looked for beside the study first. Scenes keep the study's names; with
+/// cameras each scene is there once a camera. Error{input} for what does not exist.
+std::vector<StudyScene> load_study_scenes(const StudyFile& study, const std::filesystem::path& file,
+                                          const SceneSearch& search, Progress& progress);
 
 /// Every run with every seed. Error{input} at its place for unknown parameters and values out of range.
 std::vector<BenchRun> choose_study_runs(const StudyFile& study, const std::filesystem::path& file,

@@ -23,13 +23,14 @@ struct SweepOptions {
   std::string metrics;
   bool no_reuse = false;
   bool screen = false;
+  bool time = false;
   QualityOptions quality;
 };
 
 /// A study loaded and checked, with the renderer whose device its keys name.
 struct LoadedSweep {
   SweepPlan plan;
-  std::vector<SceneJob> scenes;
+  std::vector<StudyScene> scenes;
   std::unique_ptr<Renderer> realtime;
 };
 
@@ -46,6 +47,7 @@ LoadedSweep load(const SweepOptions& options, const GlobalOptions& global, Progr
   plan.metrics = choose_metrics(options.metrics);
   plan.shard = parse_shard(options.shard);
   plan.reuse = !options.no_reuse;
+  if (options.time) plan.timing = {.wanted_frames = study.frames, .budget_s = study.frame_budget_s};
   loaded.scenes = load_study_scenes(study, options.study, search, progress);
   loaded.realtime = open_realtime_renderer(global, home);
   plan.makers = {"Embree " UMBRAMETER_EMBREE_VERSION, device_identity(*loaded.realtime),
@@ -109,6 +111,7 @@ CLI::App* add_study_verb(CLI::App& app, const char* name, const char* what, Swee
   verb->add_option("--shard", options.shard, "i/n: the i-th of n parts, to be merged afterwards");
   verb->add_option("--metrics", options.metrics, kMetricsHelp);
   verb->add_flag("--no-reuse", options.no_reuse, "render again what is stored");
+  verb->add_flag("--time", options.time, "also time frames, in turn with those of the scene's first run");
   verb->add_option("--width", options.quality.width, "picture width in pixels, instead of the study's");
   verb->add_option("--height", options.quality.height, "picture height in pixels, instead of the study's");
   verb->add_option("--spp", options.quality.samples_per_pixel,

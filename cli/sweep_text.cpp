@@ -3,12 +3,14 @@
 #include "cli/console.h"
 #include "study/format.h"
 #include "study/json_parts.h"
+#include "study/judgement_format.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <tuple>
 
 namespace umbrameter {
 namespace {
@@ -70,18 +72,23 @@ std::vector<Group> groups_of(std::span<const PlanStep> steps) {
   return groups;
 }
 
+/// "better (pcf)": against which run.
+std::string verdict_text(const std::optional<RunVerdict>& verdict) {
+  return verdict ? fmt::format("{} ({})", format_verdict(verdict), verdict->baseline) : "";
+}
+
 std::string run_count(size_t count, const char* what = "run") {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
 }  // namespace
 
-std::string plan_text(const SweepPlan& plan, std::span<const SceneJob> scenes,
+std::string plan_text(const SweepPlan& plan, std::span<const StudyScene> scenes,
                       std::span<const PlanStep> steps) {
   std::vector<std::vector<std::string>> rows;
   for (const Group& group : groups_of(steps)) {
     rows.push_back(
-        {scenes[group.first.scene].name,
+        {full_name(scenes[group.first.scene]),
          group.count == 1 ? label_of(plan, group.first) : run_count(group.count),
          std::string(to_text(group.first.action)), group.first.reason,
          (group.first.action == StepAction::render ? "" : "saves ") + duration_text(group.seconds)});
@@ -97,11 +104,12 @@ std::string plan_text(const SweepPlan& plan, std::span<const SceneJob> scenes,
                      count(StepAction::reuse), count(StepAction::skip), duration_text(totals.saved_s));
 }
 
-Json plan_json(const SweepPlan& plan, std::span<const SceneJob> scenes, std::span<const PlanStep> steps) {
+Json plan_json(const SweepPlan& plan, std::span<const StudyScene> scenes, std::span<const PlanStep> steps) {
   Json list = Json::array();
   for (const PlanStep& step : steps) {
     Json json{{"action", to_text(step.action)},
               {"scene", scenes[step.scene].name},
+              {"camera", scenes[step.scene].camera},
               {"label", nullptr},
               {"seed", nullptr},
               {"reason", step.reason},
@@ -124,20 +132,21 @@ Json plan_json(const SweepPlan& plan, std::span<const SceneJob> scenes, std::spa
   return json;
 }
 
-std::string idle_text(std::span<const IdleParameter> idle, std::span<const SceneJob> scenes) {
+std::string idle_text(std::span<const IdleParameter> idle, std::span<const StudyScene> scenes) {
   if (idle.empty()) return "\nevery parameter that the study varies changes a small picture\n";
   std::vector<std::vector<std::string>> rows;
   for (const IdleParameter& one : idle)
-    rows.push_back({scenes[one.scene].name, one.technique, one.parameter, run_count(one.runs),
+    rows.push_back({full_name(scenes[one.scene]), one.technique, one.parameter, run_count(one.runs),
                     duration_text(one.saved_s)});
   return fmt::format("\nno pixel of {} x {} changes with\n", kScreenWidth_px, kScreenHeight_px) +
          format_table({"scene", "technique", "parameter", "varied by", "which cost"}, rows);
 }
 
-Json idle_json(std::span<const IdleParameter> idle, std::span<const SceneJob> scenes) {
+Json idle_json(std::span<const IdleParameter> idle, std::span<const StudyScene> scenes) {
   Json list = Json::array();
   for (const IdleParameter& one : idle)
     list.push_back({{"scene", scenes[one.scene].name},
+                    {"camera", scenes[one.scene].camera},
                     {"technique", one.technique},
                     {"parameter", one.parameter},
                     {"runs", one.runs},
@@ -151,11 +160,22 @@ std::string outcome_text(const SweepOutcome& outcome) {
                   run_count(outcome.references_rendered, "truth"), outcome.reused, outcome.skipped);
   if (outcome.not_done > 0) text += fmt::format(", {} not done without a truth", outcome.not_done);
   if (!outcome.failures.empty()) text += fmt::format("; {} failed", outcome.failures.size());
-  return text + "\n";
+  if (outcome.verdicts.empty()) return text + "\n";
+  const auto count = [&](Comparison verdict) {
+    return outcome.verdicts.contains(verdict) ? outcome.verdicts.at(verdict) : 0;
+  };
+  return text + fmt::format(
+                    "\nagainst each scene's first run: {} better, {} worse, {} the same, {} undecided\n",
+                    count(Comparison::better), count(Comparison::worse), count(Comparison::same),
+                    count(Comparison::cannot_tell));
 }
 
 Json outcome_json(const SweepOutcome& outcome) {
-  Json failures = Json::array();
+  Json failures = Json::array(), verdicts = Json::object();
+  for (const Comparison verdict :
+       {Comparison::better, Comparison::worse, Comparison::same, Comparison::cannot_tell})
+    verdicts[std::string(name_of(verdict))] =
+        outcome.verdicts.contains(verdict) ? outcome.verdicts.at(verdict) : 0;
   for (const Failure& failure : outcome.failures) failures.push_back(failure_json(failure));
   return {{"schema", 1},
           {"rendered", outcome.rendered},
@@ -163,6 +183,7 @@ Json outcome_json(const SweepOutcome& outcome) {
           {"skipped", outcome.skipped},
           {"references_rendered", outcome.references_rendered},
           {"not_done", outcome.not_done},
+          {"verdicts", verdicts},
           {"failures", failures}};
 }
 
@@ -174,16 +195,22 @@ std::string stored_text(const StoredRuns& runs) {
     return has_one ? run.result.error->rmse->value : std::numeric_limits<double>::infinity();
   };
   std::ranges::stable_sort(ranked, [&](const RunRecord* a, const RunRecord* b) {
-    return a->head.scene != b->head.scene ? a->head.scene < b->head.scene : rmse(*a) < rmse(*b);
+    const auto picture = [](const RunRecord& run) { return std::tie(run.head.scene, run.head.camera); };
+    return picture(*a) != picture(*b) ? picture(*a) < picture(*b) : rmse(*a) < rmse(*b);
   });
   std::vector<std::vector<std::string>> rows;
   for (const RunRecord* run : ranked) {
     const auto& error = run->result.error;
-    rows.push_back({run->head.scene, run->result.label, std::to_string(run->head.seed),
-                    fmt::format("{} x {}", run->head.width_px, run->head.height_px),
-                    format_interval(error ? error->rmse : std::nullopt), status_of(*run)});
+    const RecordHead& head = run->head;
+    const auto time = total_time(run->result.pass_times);
+    rows.push_back(
+        {head.camera.empty() ? head.scene : fmt::format("{}, {}", head.scene, head.camera), run->result.label,
+         std::to_string(head.seed), fmt::format("{} x {}", head.width_px, head.height_px),
+         format_interval(error ? error->rmse : std::nullopt), verdict_text(run->result.judgement.verdict),
+         time ? format_time(*time) : "", status_of(*run)});
   }
-  return format_table({"scene", "run", "seed", "px", "RMSE [95 %]", "status"}, rows);
+  return format_table({"scene", "run", "seed", "px", "RMSE [95 %]", "verdict (against)", "time", "status"},
+                      rows);
 }
 
 }  // namespace umbrameter

@@ -13,13 +13,13 @@
 namespace umbrameter {
 
 /// Steps of one scene with the same reason share a line.
-std::string plan_text(const SweepPlan& plan, std::span<const SceneJob> scenes,
+std::string plan_text(const SweepPlan& plan, std::span<const StudyScene> scenes,
                       std::span<const PlanStep> steps);
-nlohmann::ordered_json plan_json(const SweepPlan& plan, std::span<const SceneJob> scenes,
+nlohmann::ordered_json plan_json(const SweepPlan& plan, std::span<const StudyScene> scenes,
                                  std::span<const PlanStep> steps);
 
-std::string idle_text(std::span<const IdleParameter> idle, std::span<const SceneJob> scenes);
-nlohmann::ordered_json idle_json(std::span<const IdleParameter> idle, std::span<const SceneJob> scenes);
+std::string idle_text(std::span<const IdleParameter> idle, std::span<const StudyScene> scenes);
+nlohmann::ordered_json idle_json(std::span<const IdleParameter> idle, std::span<const StudyScene> scenes);
 
 std::string outcome_text(const SweepOutcome& outcome);
 nlohmann::ordered_json outcome_json(const SweepOutcome& outcome);

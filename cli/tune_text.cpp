@@ -22,11 +22,18 @@ std::string objective_text(const std::optional<ObjectiveValue>& objective) {
   return objective->interval ? format_interval(objective->interval) : format_error(objective->value);
 }
 
+std::string gain_text(const std::optional<Interval>& gain) {
+  if (!gain) return kNotApplicable;
+  const char* verdict = gain->low > 0.0 ? "won" : gain->high < 0.0 ? "lost" : "tied";
+  return fmt::format("{:+.3f} [{:+.3f}, {:+.3f}] {}", gain->value, gain->low, gain->high, verdict);
+}
+
 std::vector<std::string> row(const TuneResult& result, const Candidate& candidate) {
   std::vector<std::string> cells{candidate.name};
   if (result.scenes.size() == 1) cells.push_back(objective_text(candidate.scores.front().objective));
   cells.push_back(ratio_text(candidate.ratio));
   cells.push_back(ratio_text(candidate.held_out_ratio));
+  cells.push_back(gain_text(candidate.held_out_gain));
   return cells;
 }
 
@@ -39,7 +46,7 @@ std::string ranking(const TunePlan& plan, const TuneResult& result) {
   std::vector<std::string> headings{"settings"};
   if (result.scenes.size() == 1)
     headings.push_back(fmt::format("{} [95 %], its camera", name_of(plan.objective)));
-  headings.insert(headings.end(), {"of default", "held out"});
+  headings.insert(headings.end(), {"of default", "held out", "tuned is better by"});
   return format_table(headings, rows);
 }
 

@@ -7,6 +7,7 @@
 #include "scenes/read_light.h"
 #include "scenes/read_mesh.h"
 #include "scenes/rounding.h"
+#include "scenes/seen_from.h"
 
 #include <fmt/format.h>
 #include <glm/common.hpp>
@@ -101,6 +102,13 @@ Scene parse_scene(std::string_view document, const std::filesystem::path& file, 
   if (scene.camera.near_world == 0.0) scene.camera.near_world = derived_near(scene);
   if (auto warning = rounding_warning(scene)) scene.warnings.push_back(std::move(*warning));
   for (std::string& warning : find_enclosed_lights(scene)) scene.warnings.push_back(std::move(warning));
+  scene.hash = hash_scene(scene);
+  return scene;
+}
+
+Scene seen_from(Scene scene, const Camera& camera) {
+  scene.camera = camera;
+  if (scene.camera.near_world == 0.0) scene.camera.near_world = derived_near(scene);
   scene.hash = hash_scene(scene);
   return scene;
 }

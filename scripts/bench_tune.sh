@@ -8,8 +8,9 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 program=build/ci/cli/umbrameter
 folder=${1:-build/tune_bench}
-scenes=(box_contact colonnade comb contact_hardening disk_occluder fence plate sphere_terminator stacked_plates)
+scenes=(sphere_terminator contact_hardening comb fence plate stacked_plates box_contact colonnade disk_occluder)
 size=(--width 160 --height 90 --spp 256)
+patience=60min
 # technique, parameters, most evaluations (5 % of the grid), steps of the grid
 techniques=(
   "hard bias_texels,normal_offset_texels 31 25"
@@ -31,13 +32,24 @@ measure() {
   mv "$target.part" "$target.json"
 }
 
-for scene in "${scenes[@]}"; do
-  for line in "${techniques[@]}"; do
-    read -r technique parameters evaluations steps <<< "$line"
-    measure "presets-$scene-$technique" "$scene" --technique "$technique:map_size=256" --evaluations 100 \
-      --time-limit 20s
-    measure "grid-$scene-$technique" "$scene" --technique "$technique:map_size=256" --parameters "$parameters" \
-      --evaluations "$evaluations" --grid "$steps" --cameras 1 --time-limit 10min
+# Evaluations end the searches, not the clock: a busy machine changes no number.
+measure_all() {
+  local scene line technique parameters evaluations steps
+  for scene in "${scenes[@]}"; do
+    for line in "${techniques[@]}"; do
+      read -r technique parameters evaluations steps <<< "$line"
+      "$1" "$scene" "$technique:map_size=256"
+    done
   done
-done
+}
+presets() {
+  measure "presets-$1-$technique" "$1" --technique "$2" --evaluations 100 --time-limit "$patience"
+}
+grid() {
+  measure "grid-$1-$technique" "$1" --technique "$2" --parameters "$parameters" --evaluations "$evaluations" \
+    --grid "$steps" --cameras 1 --time-limit "$patience"
+}
+
+measure_all presets
+measure_all grid
 python3 scripts/tuning_tables.py "$folder" docs/tuning.md

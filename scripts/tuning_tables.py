@@ -39,27 +39,29 @@ def rivals(result):
     return [c for c in result["others"] if c["same_cost"] and not set(c["name"].split(", ")) <= OWN_LEVELS]
 
 
-def least(candidates, key):
-    values = [c[key] for c in candidates if c[key] is not None]
-    return min(values) if values else None
+def best_rival(result, key):
+    return min(rivals(result), key=lambda c: c[key] if c[key] is not None else float("inf"), default=None)
 
 
-def outcome(result, key):
-    ours, best = result["best"][key], least(rivals(result), key)
-    if ours is None or best is None:
+def outcome(result, gain):
+    """Against every rival, beyond the interval: won if all are beaten, lost if one is better."""
+    gains = [c[gain] for c in rivals(result)]
+    if not gains or any(g is None for g in gains):
         return "none"
-    if ours == best:
-        return "tie"
-    return "win" if ours < best else "loss"
+    if any(g["high"] < 0 for g in gains):
+        return "lost"
+    return "won" if all(g["low"] > 0 for g in gains) else "tied"
 
 
 def against(result):
-    def text(key):
-        ours, best = result["best"][key], least(rivals(result), key)
-        mark = {"loss": " **loss**", "tie": " tie"}.get(outcome(result, key), "")
-        return "n/a" if ours is None or best is None else f"{ours:.3f} / {best:.3f}{mark}"
+    def text(key, gain):
+        ours, best = result["best"][key], best_rival(result, key)
+        if ours is None or best is None or best[key] is None:
+            return "n/a"
+        word = outcome(result, gain)
+        return f"{ours:.3f} / {best[key]:.3f}" + {"lost": " **lost**", "tied": " tied"}.get(word, "")
 
-    return f"{text('ratio')}; {text('held_out_ratio')}"
+    return f"{text('ratio', 'gain')}; {text('held_out_ratio', 'held_out_gain')}"
 
 
 def windows(results):
@@ -87,14 +89,22 @@ def grid_part(results):
 
 
 def presets_part(results):
-    def count(key):
-        outcomes = [outcome(r, key) for r in results.values()]
-        return f"{outcomes.count('win')} won, {outcomes.count('tie')} tied, {outcomes.count('loss')} lost"
+    def count(gain):
+        outcomes = [outcome(r, gain) for r in results.values()]
+        return ", ".join(f"{outcomes.count(word)} {word}" for word in ("won", "tied", "lost"))
 
+    def kept(result):
+        return any(c["parameters"] == result["best"]["parameters"] for c in rivals(result))
+
+    worse = [(f"{t} on {s} against {c['name']}: {-c[g]['value']:.4f} [{-c[g]['high']:.4f}, {-c[g]['low']:.4f}] {where}")
+             for (s, t), r in results.items() for c in rivals(r)
+             for g, where in (("gain", "tuned on"), ("held_out_gain", "held out")) if c[g] and c[g]["high"] < 0]
     return (
-        "Tuned / best of default and presets, as ratios to the default: on the cameras tuned on; on held-out cameras. "
-        f"Tuned on: {count('ratio')}. Held out: {count('held_out_ratio')}. A tie: no change was shown to be worth it, "
-        "and the tuner kept to the best setting it was given.\n\n" + table(results, against)
+        f"{len(results)} pairs. Tuned / best of default and presets in hindsight, as ratios to the default: on the cameras tuned "
+        f"on; on held-out cameras. Tuned on: {count('gain')}. Held out: {count('held_out_gain')}. In {sum(map(kept, results.values()))} "
+        "pairs the tuner kept to a setting it was given. Won: better than every rival beyond the 95 % interval of the paired "
+        "difference; lost: worse than one beyond it.\n\n" + table(results, against)
+        + "\n\n" + ("Lost: " + "; ".join(worse) + "." if worse else "Nothing is lost.")
     )
 
 

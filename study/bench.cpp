@@ -13,7 +13,7 @@ namespace umbrameter {
 namespace {
 
 struct Context {
-  const SceneJob& job;
+  const StudyScene& job;
   const BenchPlan& plan;
   Renderers renderers;
   Progress& progress;
@@ -26,9 +26,11 @@ struct Pictures {
   std::vector<Image> visibility;  // by entry; one plane each
 };
 
-BenchScene describe(const SceneJob& job) {
+BenchScene describe(const StudyScene& job) {
   BenchScene scene;
-  scene.name = job.name;
+  scene.name = full_name(job);
+  scene.scene = job.name;
+  scene.camera = job.camera;
   scene.title = job.scene.title;
   scene.hash = job.scene.hash;
   scene.light = to_text(job.scene.light().type);
@@ -141,11 +143,15 @@ BenchScene bench_scene(const Context& context, std::vector<Skip>& skipped) {
       scene.truth = measure_truth(context.job.scene, request, context.truth, context.progress);
     });
   find_front(scene.entries);
-  scene.claims = judge_claims(context.plan.claims, scene.name, scene.entries);
+  scene.claims = judge_claims(context.plan.claims, scene.scene, scene.entries);
   return scene;
 }
 
 }  // namespace
+
+std::string full_name(const StudyScene& scene) {
+  return scene.camera.empty() ? scene.name : fmt::format("{}, {}", scene.name, scene.camera);
+}
 
 bool is_software(const BenchResults& results) {
   return std::ranges::any_of(results.scenes, [](const BenchScene& scene) {
@@ -153,15 +159,15 @@ bool is_software(const BenchResults& results) {
   });
 }
 
-BenchResults run_bench(std::span<const SceneJob> scenes, const BenchPlan& plan, Renderers renderers,
+BenchResults run_bench(std::span<const StudyScene> scenes, const BenchPlan& plan, Renderers renderers,
                        Progress& progress, const BenchSceneDone& scene_done, const TruthPlan& truth) {
   BenchResults results;
   results.version = UMBRAMETER_VERSION;
   results.commit = UMBRAMETER_COMMIT;
   results.plan = plan;
-  for (const SceneJob& job : scenes) {
+  for (const StudyScene& job : scenes) {
     const std::string prefix =
-        fmt::format("{} ({} of {}), ", job.name, results.scenes.size() + 1, scenes.size());
+        fmt::format("{} ({} of {}), ", full_name(job), results.scenes.size() + 1, scenes.size());
     RenamedProgress renamed(progress, [&](std::string_view task) { return prefix + std::string(task); });
     results.scenes.push_back(bench_scene({job, plan, renderers, renamed, truth}, results.skipped));
     if (scene_done) scene_done(results.scenes.back());

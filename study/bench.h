@@ -36,8 +36,20 @@ struct BenchPlan {
   std::vector<Claim> claims;
 };
 
+/// A scene of a study from one of its cameras.
+struct StudyScene {
+  std::string name;  // as the study wrote it
+  Scene scene;
+  std::string camera = {};  // of the study; empty: the scene's own
+};
+
+/// "plate"; with a study's camera "plate, left".
+std::string full_name(const StudyScene& scene);
+
 struct BenchScene {
-  std::string name;
+  std::string name;    // full_name() of the study's
+  std::string scene;   // as the study wrote it
+  std::string camera;  // of the study; empty: the scene's own
   std::string title;
   std::string hash;
   std::string light;
@@ -69,7 +81,7 @@ using BenchSceneDone = std::function<void(const BenchScene&)>;
 
 /// Runs everything; a run that throws is recorded and the rest goes on (Error{cancelled} passes through). `truth` may be
 /// empty.
-BenchResults run_bench(std::span<const SceneJob> scenes, const BenchPlan& plan, Renderers renderers,
+BenchResults run_bench(std::span<const StudyScene> scenes, const BenchPlan& plan, Renderers renderers,
                        Progress& progress, const BenchSceneDone& scene_done = {},
                        const TruthPlan& truth = {});
 

@@ -82,6 +82,8 @@ Json scene_json(const BenchScene& scene, const BenchPlan& plan, const BenchQueri
   for (const ClaimResult& result : scene.claims)
     claims.push_back(claim_json(result, plan.claims.at(result.claim)));
   Json json{{"name", scene.name},
+            {"scene", scene.scene},
+            {"camera", scene.camera},
             {"title", scene.title},
             {"hash", scene.hash},
             {"light", scene.light},

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include <optional>
+#include <vector>
 
 namespace umbrameter {
 
@@ -16,6 +17,7 @@ nlohmann::ordered_json reference_json(const std::optional<ReferenceResult>& refe
 
 // Readers throw nlohmann::json::exception for anything else.
 std::optional<Interval> read_interval(const nlohmann::json& json);
+std::vector<PassTime> read_times(const nlohmann::json& json);
 std::optional<Failure> read_failure(const nlohmann::json& json);
 TechniqueResult read_technique(const nlohmann::json& json);
 std::optional<ReferenceResult> read_reference(const nlohmann::json& json);

@@ -52,14 +52,6 @@ ParameterValues read_parameters(const Json& json) {
   return values;
 }
 
-std::vector<PassTime> read_times(const Json& json) {
-  std::vector<PassTime> times;
-  for (const Json& time : json) {
-    times.push_back({time.at("pass"), time.at("median_ms"), time.at("mad_ms"), time.at("frames")});
-  }
-  return times;
-}
-
 std::optional<TemporalNumbers> read_temporal(const Json& json) {
   if (json.is_null()) return std::nullopt;
   const Json &camera = json.at("camera"), &light = json.at("light");
@@ -76,6 +68,14 @@ std::optional<TemporalNumbers> read_temporal(const Json& json) {
 std::optional<Interval> read_interval(const nlohmann::json& json) {
   if (json.is_null()) return std::nullopt;
   return Interval{json.at("value"), json.at("low"), json.at("high")};
+}
+
+std::vector<PassTime> read_times(const nlohmann::json& json) {
+  std::vector<PassTime> times;
+  for (const Json& time : json) {
+    times.push_back({time.at("pass"), time.at("median_ms"), time.at("mad_ms"), time.at("frames")});
+  }
+  return times;
 }
 
 std::optional<Failure> read_failure(const nlohmann::json& json) {
@@ -99,8 +99,8 @@ TechniqueResult read_technique(const nlohmann::json& json) {
   run.memory_bytes = json.at("memory_bytes");
   run.wall_time_s = json.at("wall_time_s");
   run.warnings = json.at("warnings").get<std::vector<std::string>>();
-  run.left_out = json.value("left_out", std::vector<std::string>{});  // since 2026-11
-  run.measured_at = json.value("measured_at", "");                    // since 2026-11
+  run.left_out = json.at("left_out").get<std::vector<std::string>>();
+  run.measured_at = json.at("measured_at");
   run.image_file = json.at("image_file");
   run.picture_file = json.at("picture_file");
   run.error_picture_file = json.at("error_picture_file");
@@ -121,9 +121,9 @@ std::optional<ReferenceResult> read_reference(const nlohmann::json& json) {
   reference.mean_visibility_se = json.at("mean_visibility_se");
   reference.max_visibility_se = json.at("max_visibility_se");
   reference.mean_sample_count = json.at("mean_sample_count");
-  reference.proven_lit_share = json.value("proven_lit_share", 0.0);    // since 2026-11
-  reference.proven_dark_share = json.value("proven_dark_share", 0.0);  // since 2026-11
-  reference.measured_at = json.value("measured_at", "");               // since 2026-11
+  reference.proven_lit_share = json.at("proven_lit_share");
+  reference.proven_dark_share = json.at("proven_dark_share");
+  reference.measured_at = json.at("measured_at");
   reference.warnings = json.at("warnings").get<std::vector<std::string>>();
   reference.image_file = json.at("image_file");
   reference.picture_file = json.at("picture_file");

@@ -171,6 +171,7 @@ StudyFile read_study(const TomlNode& root) {
   study.title = reader.text("title");
   study.doc = reader.text("doc", "");
   read_scenes(reader, study);
+  study.cameras = read_study_cameras(reader);
   read_effort(reader, study);
   for (const TomlNode* table : reader.tables("run")) {
     for (StudyRun& run : expand_run(*table)) study.runs.push_back(std::move(run));

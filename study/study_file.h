@@ -3,6 +3,7 @@
 // claims about them. Not here: whether scenes, techniques and parameters exist (cli/), and what runs it (study/bench.h).
 
 #include "core/toml.h"
+#include "study/study_camera.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -52,7 +53,8 @@ std::optional<PaperRatio> paper_ratio(const Claim& claim, const std::string& sce
 struct StudyFile {
   std::string title;
   std::string doc;
-  std::vector<std::string> scenes;  // as written: library names or paths
+  std::vector<std::string> scenes;   // as written: library names or paths
+  std::vector<StudyCamera> cameras;  // every scene is seen from each; none: from its own
   std::string quality = "quick";
   std::optional<int64_t> width_px, height_px, samples_per_pixel;
   std::optional<double> target_se;

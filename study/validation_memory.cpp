@@ -30,9 +30,18 @@ PictureQuality quality_of(const ValidationPlan& plan) {
 RecordHead head_of(const SceneSource& source, const ValidationPlan& plan, const std::string& measured_at,
                    double duration_s) {
   const SceneResult& scene = source.description;
-  return {
-      scene.name,     scene.hash, scene.light_type,  plan.width_px, plan.height_px, plan.samples_per_pixel,
-      plan.target_se, plan.seed,  UMBRAMETER_COMMIT, measured_at,   duration_s};
+  return {scene.name,
+          {},
+          scene.hash,
+          scene.light_type,
+          plan.width_px,
+          plan.height_px,
+          plan.samples_per_pixel,
+          plan.target_se,
+          plan.seed,
+          UMBRAMETER_COMMIT,
+          measured_at,
+          duration_s};
 }
 
 /// A file name of a result, and what the file is called in images/<scene>/.
@@ -133,7 +142,12 @@ void ValidationMemory::put_run(const std::string& reference, const SceneSource& 
                                const ValidationPlan& plan, const fs::path& folder, const SceneResult& scene,
                                const TechniqueFrame& run) {
   RunRecord record{head_of(source, plan, run.result.measured_at, run.result.wall_time_s + run.scoring_s),
-                   reference, scene.parity, kept(store_.store(), folder, run.result)};
+                   reference,
+                   {},
+                   {},
+                   scene.parity,
+                   kept(store_.store(), folder, run.result),
+                   {}};
   record.parity->picture_file.clear();  // stands in its own entry
   record.result.judgement.verdict.reset();
   store_.store().put({run.key, EntryKind::run, to_json_text(record)});

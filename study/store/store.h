@@ -68,7 +68,7 @@ class Store {
 /// Whether there is a store in `folder`.
 bool has_store(const std::filesystem::path& folder);
 
-/// The names of objects in a JSON text, in order; nothing for a text that is no JSON.
+/// The names of objects that stand as texts of their own in a JSON text, in order.
 std::vector<std::string> object_names(std::string_view json);
 
 }  // namespace umbrameter

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace umbrameter {
 namespace {
 
@@ -37,8 +39,10 @@ Costs costs_of(Store* store) {
   for (const std::string& json : newest(*store, EntryKind::run)) {
     const auto run = parse_run_record(json);
     if (!run || run->result.failure) continue;
-    costs.run_s_per_pixel[run->result.technique].push_back(
-        run->head.duration_s / pixels_of(run->head.width_px, run->head.height_px));
+    const double pixels = pixels_of(run->head.width_px, run->head.height_px);
+    costs.run_s_per_pixel[run->result.technique].push_back(run->head.duration_s / pixels);
+    if (const auto frame = total_time(run->result.pass_times))
+      costs.frame_s_per_pixel[run->result.technique].push_back(1e-3 * frame->median_ms / pixels);
   }
   for (const std::string& json : newest(*store, EntryKind::reference)) {
     const auto truth = parse_reference_record(json);
@@ -50,11 +54,20 @@ Costs costs_of(Store* store) {
   return costs;
 }
 
-Estimate estimate_run(const Costs& costs, const std::string& technique, const PictureQuality& quality) {
+Estimate estimate_run(const Costs& costs, const std::string& technique, const PictureQuality& quality,
+                      const std::optional<TimingPlan>& timing) {
   const double pixels = pixels_of(quality.width_px, quality.height_px);
+  double timing_s = 0.0;
+  if (timing) {
+    const auto frames = costs.frame_s_per_pixel.find(technique);
+    const double frame_s =
+        pixels * (frames == costs.frame_s_per_pixel.end() ? kRoughFrame_s_per_pixel : median(frames->second));
+    timing_s = 2.0 * std::min(timing->budget_s, timing->wanted_frames * frame_s);
+  }
   const auto found = costs.run_s_per_pixel.find(technique);
-  if (found == costs.run_s_per_pixel.end()) return {kRoughRun_s + kRoughRun_s_per_pixel * pixels, 0};
-  return {median(found->second) * pixels, found->second.size()};
+  if (found == costs.run_s_per_pixel.end())
+    return {kRoughRun_s + kRoughRun_s_per_pixel * pixels + timing_s, 0};
+  return {median(found->second) * pixels + timing_s, found->second.size()};
 }
 
 Estimate estimate_reference(const Costs& costs, const PictureQuality& quality) {

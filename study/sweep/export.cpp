@@ -19,14 +19,14 @@ using Json = nlohmann::ordered_json;
 /// What a person would call the same run.
 std::string identity_of(const RunRecord& record) {
   const RecordHead& head = record.head;
-  return fmt::format("{}\n{}\n{}\n{}\n{}x{}\n{}\n{}\n{}", head.scene, head.light, record.result.technique,
-                     to_text(record.result.parameters), head.width_px, head.height_px, head.samples_per_pixel,
-                     head.target_se.value_or(0.0), head.seed);
+  return fmt::format("{}\n{}\n{}\n{}\n{}\n{}x{}\n{}\n{}\n{}", head.scene, head.camera, head.light,
+                     record.result.technique, to_text(record.result.parameters), head.width_px,
+                     head.height_px, head.samples_per_pixel, head.target_se.value_or(0.0), head.seed);
 }
 
 auto order_of(const RunRecord& record) {
   const RecordHead& head = record.head;
-  return std::tie(head.scene, record.result.label, head.seed, head.width_px, head.height_px,
+  return std::tie(head.scene, head.camera, record.result.label, head.seed, head.width_px, head.height_px,
                   head.samples_per_pixel, head.started);
 }
 
@@ -45,11 +45,27 @@ std::string number_text(const std::optional<double>& value) {
   return value ? csv_number(*value) : "";
 }
 
+void add_times(const RunRecord& record, std::vector<std::string>& cells) {
+  const auto time = total_time(record.result.pass_times), beside = total_time(record.baseline_times);
+  cells.push_back(time ? csv_number(time->median_ms) : "");
+  cells.push_back(time ? csv_number(time->mad_ms) : "");
+  cells.push_back(time ? std::to_string(time->frames) : "");
+  cells.push_back(beside ? csv_number(beside->median_ms) : "");
+  cells.push_back(record.result.timer);
+}
+
+void add_verdict(const std::optional<RunVerdict>& verdict, std::vector<std::string>& cells) {
+  cells.push_back(verdict ? verdict->baseline : "");
+  cells.push_back(verdict ? std::string(name_of(verdict->outcome)) : "");
+  add_interval(verdict ? std::optional(verdict->mse_difference) : std::nullopt, cells);
+}
+
 std::vector<std::string> cells_of(const RunRecord& record, const std::set<std::string>& parameters) {
   const RecordHead& head = record.head;
   const TechniqueResult& result = record.result;
   const VisibilityError error = result.error.value_or(VisibilityError{});
   std::vector<std::string> cells{head.scene,
+                                 head.camera,
                                  head.scene_hash,
                                  head.light,
                                  result.label,
@@ -63,6 +79,8 @@ std::vector<std::string> cells_of(const RunRecord& record, const std::set<std::s
   add_interval(error.rmse, cells);
   for (const auto& value : {error.bias, error.over_shadowing, error.under_shadowing})
     cells.push_back(number_text(value));
+  add_times(record, cells);
+  add_verdict(result.judgement.verdict, cells);
   cells.insert(cells.end(),
                {std::to_string(result.memory_bytes), head.started, csv_number(head.duration_s), head.commit,
                 result.device, result.image_file, result.failure ? result.failure->message : ""});
@@ -79,6 +97,7 @@ StoredRuns stored_runs(Store& store, bool all) {
   StoredRuns found;
   for (const Entry& entry : store.entries(EntryKind::run)) {
     if (auto run = parse_run_record(entry.json)) {
+      run->key = entry.key;
       found.runs.push_back(std::move(*run));
     } else {
       ++found.foreign;
@@ -103,14 +122,41 @@ std::string to_csv(const StoredRuns& runs) {
   for (const RunRecord& run : runs.runs) {
     for (const auto& [name, value] : run.result.parameters) parameters.insert(name);
   }
-  std::vector<std::string> names{"scene",          "scene_hash",      "light",
-                                 "label",          "technique",       "seed",
-                                 "width_px",       "height_px",       "samples_per_pixel",
-                                 "target_se",      "status",          "rmse",
-                                 "rmse_low",       "rmse_high",       "bias",
-                                 "over_shadowing", "under_shadowing", "memory_bytes",
-                                 "started",        "duration_s",      "commit",
-                                 "device",         "image",           "failure"};
+  std::vector<std::string> names{"scene",
+                                 "camera",
+                                 "scene_hash",
+                                 "light",
+                                 "label",
+                                 "technique",
+                                 "seed",
+                                 "width_px",
+                                 "height_px",
+                                 "samples_per_pixel",
+                                 "target_se",
+                                 "status",
+                                 "rmse",
+                                 "rmse_low",
+                                 "rmse_high",
+                                 "bias",
+                                 "over_shadowing",
+                                 "under_shadowing",
+                                 "time_ms",
+                                 "time_mad_ms",
+                                 "frames",
+                                 "baseline_ms",
+                                 "timer",
+                                 "baseline",
+                                 "verdict",
+                                 "mse_difference",
+                                 "mse_difference_low",
+                                 "mse_difference_high",
+                                 "memory_bytes",
+                                 "started",
+                                 "duration_s",
+                                 "commit",
+                                 "device",
+                                 "image",
+                                 "failure"};
   for (const std::string& name : parameters) names.push_back("parameter." + name);
   std::string text = csv_line(names);
   for (const RunRecord& run : runs.runs) text += csv_line(cells_of(run, parameters));

@@ -17,7 +17,7 @@ struct StoredRuns {
   size_t foreign = 0;           // left out: written by another version
 };
 
-/// With `all` also those that were made again since.
+/// With `all` also those that were made again since. Without verdicts: see judge_runs.
 StoredRuns stored_runs(Store& store, bool all);
 
 /// Indented, ending in a newline.

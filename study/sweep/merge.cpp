@@ -6,9 +6,12 @@
 namespace umbrameter {
 namespace {
 
-bool is_failed(const std::string& json) {
+/// A result is worth more than a failure, and one with times more than one without.
+int worth(const std::string& json) {
   const auto run = parse_run_record(json);
-  return run && run->result.failure;
+  if (!run) return 1;  // no run
+  if (run->result.failure) return 0;
+  return run->result.pass_times.empty() ? 1 : 2;
 }
 
 void copy_entry(const Entry& entry, const Store& from, Store& into) {
@@ -28,7 +31,7 @@ MergeCounts merge_store(Store& from, Store& into) {
        {EntryKind::scene, EntryKind::reference, EntryKind::parity, EntryKind::run, EntryKind::verdict}) {
     for (const Entry& entry : from.entries(kind)) {
       const auto present = into.find(entry.key);
-      if (present && (!is_failed(*present) || is_failed(entry.json))) {
+      if (present && (kind != EntryKind::run || worth(*present) >= worth(entry.json))) {
         ++counts.present;
         continue;
       }

@@ -36,16 +36,19 @@ void decide_by_store(const Planner& planner, PlanStep& step) {
   const auto& failure = stored->result.failure;
   if (failure && failure->kind != ErrorKind::input)
     return decide(step, StepAction::render, "failed before: " + failure->message);
+  if (planner.plan.timing && !failure && stored->result.pass_times.empty())
+    return decide(step, StepAction::render, "stored without times");
   const std::string date = stored->head.started.substr(0, kDateLength);
   decide(step, StepAction::reuse, fmt::format("{} on {}", failure ? "failed for good" : "stored", date));
 }
 
-PlanStep plan_run(Planner& planner, const SceneJob& job, const std::string& reference, size_t index) {
+PlanStep plan_run(Planner& planner, const StudyScene& job, const std::string& reference, size_t index) {
   const BenchRun& run = planner.plan.runs[index];
   PlanStep step;
   step.run = index;
   step.key = run_key(reference, run.technique, run.seed, planner.plan.metrics, planner.plan.makers);
-  const Estimate estimate = estimate_run(planner.costs, run.technique.id, planner.plan.quality);
+  const Estimate estimate =
+      estimate_run(planner.costs, run.technique.id, planner.plan.quality, planner.plan.timing);
   step.estimated_s = estimate.seconds;
   step.like = estimate.like;
   const auto [twin, is_new] = planner.planned.emplace(step.key, run.technique.label);
@@ -87,6 +90,14 @@ std::optional<size_t> whole_number(std::string_view text) {
 
 }  // namespace
 
+size_t baseline_of(const SweepPlan& plan, const Scene& scene, size_t run) {
+  for (size_t i = 0; i < run; ++i) {
+    const BenchRun& earlier = plan.runs[i];
+    if (earlier.seed == plan.runs[run].seed && !skip_reason(earlier.technique, scene)) return i;
+  }
+  return run;
+}
+
 std::string_view to_text(StepAction action) {
   constexpr std::array<std::string_view, 3> kActions{"render", "reuse", "skip"};
   return kActions[static_cast<size_t>(action)];
@@ -104,7 +115,7 @@ Shard parse_shard(const std::string& text) {
   fail_input(fmt::format("the shard '{}' is not i/n", text), {}, "the second of four parts is 2/4");
 }
 
-std::vector<PlanStep> plan_sweep(const SweepPlan& plan, std::span<const SceneJob> scenes, Store* store) {
+std::vector<PlanStep> plan_sweep(const SweepPlan& plan, std::span<const StudyScene> scenes, Store* store) {
   Planner planner{plan, store, costs_of(store), {}};
   const size_t pairs = scenes.size() * plan.runs.size();
   const size_t first = pairs * plan.shard.index / plan.shard.count;

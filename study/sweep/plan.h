@@ -29,8 +29,12 @@ struct SweepPlan {
   MetricChoice metrics;
   Makers makers;
   Shard shard;
-  bool reuse = true;  // what is stored
+  bool reuse = true;                 // what is stored
+  std::optional<TimingPlan> timing;  // absent: frames are not timed
 };
+
+/// The scene's first run of the same seed, which `run` is compared with; itself when it is that.
+size_t baseline_of(const SweepPlan& plan, const Scene& scene, size_t run);
 
 enum class StepAction { render, reuse, skip };
 std::string_view to_text(StepAction action);
@@ -49,6 +53,6 @@ struct PlanStep {
 
 /// By scene; its truth, then its runs, of the plan's part alone. A store may be null. Failures that lie in the input are
 /// reused like results, others are tried again.
-std::vector<PlanStep> plan_sweep(const SweepPlan& plan, std::span<const SceneJob> scenes, Store* store);
+std::vector<PlanStep> plan_sweep(const SweepPlan& plan, std::span<const StudyScene> scenes, Store* store);
 
 }  // namespace umbrameter

@@ -15,6 +15,7 @@ using Json = nlohmann::ordered_json;
 
 Json head_json(const RecordHead& head, const std::string& status) {
   return {{"scene", head.scene},
+          {"camera", head.camera},
           {"scene_hash", head.scene_hash},
           {"light", head.light},
           {"width_px", head.width_px},
@@ -31,6 +32,7 @@ Json head_json(const RecordHead& head, const std::string& status) {
 RecordHead read_head(const nlohmann::json& json) {
   RecordHead head;
   head.scene = json.at("scene");
+  head.camera = json.at("camera");
   head.scene_hash = json.at("scene_hash");
   head.light = json.at("light");
   head.width_px = json.at("width_px");
@@ -58,6 +60,8 @@ std::string status_of(const RunRecord& record) {
 std::string to_json_text(const RunRecord& record) {
   Json json = head_json(record.head, status_of(record));
   json["reference"] = record.reference;
+  json["baseline"] = record.baseline;
+  json["baseline_times"] = times_json(record.baseline_times);
   json["parity"] = parity_json(record.parity);
   json["result"] = technique_json(record.result);
   return compact(json);
@@ -72,8 +76,13 @@ std::string to_json_text(const ReferenceRecord& record) {
 std::optional<RunRecord> parse_run_record(std::string_view text) {
   try {
     const auto json = nlohmann::json::parse(text);
-    return RunRecord{read_head(json), json.at("reference"), read_parity(json.at("parity")),
-                     read_technique(json.at("result"))};
+    return RunRecord{read_head(json),
+                     json.at("reference"),
+                     json.at("baseline"),
+                     read_times(json.at("baseline_times")),
+                     read_parity(json.at("parity")),
+                     read_technique(json.at("result")),
+                     {}};
   } catch (const nlohmann::json::exception&) {
     return std::nullopt;
   }

@@ -13,6 +13,7 @@ namespace umbrameter {
 /// What a stored result is of, and when it was made. Times are UTC: "2026-01-31T12:00:00.000Z".
 struct RecordHead {
   std::string scene;
+  std::string camera;  // of the study; empty: the scene's own
   std::string scene_hash;
   std::string light;  // type
   int width_px = 0;
@@ -25,12 +26,15 @@ struct RecordHead {
   double duration_s = 0.0;
 };
 
-/// `result.image_file` names an object of the store with the plane `visibility` alone: the truth's image has the rest.
+/// `result.image_file` names an object of the store with study/sweep/verdicts.h's planes: the truth's image has the rest.
 struct RunRecord {
   RecordHead head;
   std::string reference;  // key of the truth
+  std::string baseline;   // key of the scene's first run of that seed, which it is compared with; empty: none
+  std::vector<PassTime> baseline_times;  // of that run, drawn in turn with this one; empty without times
   std::optional<ParityNumbers> parity;
   TechniqueResult result;
+  std::string key;  // of its entry, as stored_runs() found it; not written
 };
 
 struct ReferenceRecord {

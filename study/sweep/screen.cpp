@@ -74,7 +74,7 @@ double saved_s(std::span<const PlanStep> steps, size_t scene, std::span<const si
 
 }  // namespace
 
-std::vector<IdleParameter> screen_parameters(const SweepPlan& plan, std::span<const SceneJob> scenes,
+std::vector<IdleParameter> screen_parameters(const SweepPlan& plan, std::span<const StudyScene> scenes,
                                              std::span<const PlanStep> steps, Renderer& realtime,
                                              Progress& progress) {
   std::vector<IdleParameter> idle;

@@ -24,7 +24,7 @@ struct IdleParameter {
 /// For every scene and technique of the plan, each parameter that its runs give several values: those whose lowest and
 /// highest value, the others as in the first run that has it, make the same picture. Runs that fail say nothing. Renders
 /// two small pictures a scene, technique and parameter.
-std::vector<IdleParameter> screen_parameters(const SweepPlan& plan, std::span<const SceneJob> scenes,
+std::vector<IdleParameter> screen_parameters(const SweepPlan& plan, std::span<const StudyScene> scenes,
                                              std::span<const PlanStep> steps, Renderer& realtime,
                                              Progress& progress);
 

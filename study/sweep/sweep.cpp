@@ -6,9 +6,9 @@
 #include "study/metadata.h"
 #include "study/scene_run.h"
 #include "study/score.h"
-#include "study/sweep/record.h"
+#include "study/sweep/make_record.h"
 #include "study/sweep/share_progress.h"
-#include "umbrameter_version.h"
+#include "study/sweep/verdicts.h"
 
 #include <fmt/format.h>
 
@@ -23,15 +23,22 @@ struct Truth {
   std::optional<Image> image;   // absent: it failed
 };
 
+/// The picture that verdicts are against.
+struct Baseline {
+  std::string key;
+  std::optional<StoredPicture> picture;  // absent: not stored
+};
+
 struct Context {
   const SweepPlan& plan;
-  std::span<const SceneJob> scenes;
+  std::span<const StudyScene> scenes;
   Renderers renderers;
   Store& store;
   const std::filesystem::path& scratch;
   ShareProgress progress;
   const SweepFailed& failed;
   Truth truth;
+  Baseline baseline;
   SweepOutcome outcome;
 };
 
@@ -43,20 +50,11 @@ RenderRequest request_of(const SweepPlan& plan, uint64_t seed) {
   return request;
 }
 
-RecordHead head_of(const Context& context, const SceneJob& job, uint64_t seed) {
-  const PictureQuality& quality = context.plan.quality;
-  RecordHead head;
-  head.scene = job.name;
-  head.scene_hash = job.scene.hash;
-  head.light = to_text(job.scene.light().type);
-  head.width_px = quality.width_px;
-  head.height_px = quality.height_px;
-  head.samples_per_pixel = quality.samples_per_pixel;
-  head.target_se = quality.target_se;
-  head.seed = seed;
-  head.commit = UMBRAMETER_COMMIT;
-  head.started = time_now();
-  return head;
+LabelledRequest request_of(const SweepPlan& plan, const BenchRun& run) {
+  RenderRequest request = request_of(plan, run.seed);
+  request.technique = run.technique.technique;
+  request.parameters = run.technique.parameters;
+  return {run.technique.label, request};
 }
 
 std::string keep(const Context& context, const Image& image) {
@@ -72,17 +70,17 @@ void report(Context& context, const std::string& what, const Failure& failure) {
 }
 
 void render_truth(Context& context, const PlanStep& step) {
-  const SceneJob& job = context.scenes[step.scene];
+  const StudyScene& job = context.scenes[step.scene];
   const uint64_t seed = context.plan.quality.reference_seed;
   const RenderRequest request = request_of(context.plan, seed);
   const Clock::time_point start = Clock::now();
-  ReferenceRecord record{head_of(context, job, seed), {}};
+  ReferenceRecord record{make_head(job, context.plan.quality, seed), {}};
   Frame frame;
   const auto failure = guarded([&] {
     frame = context.renderers.reference.render(job.scene, request, context.progress);
     summarise_errors(frame.image, record.result);
   });
-  if (failure) return report(context, job.name, *failure);
+  if (failure) return report(context, full_name(job), *failure);
   record.head.duration_s = seconds_since(start);
   record.result.device = frame.device;
   record.result.wall_time_s = frame.wall_time_s;
@@ -110,58 +108,63 @@ void require_truth(Context& context, size_t scene, const std::string& key) {
   render_truth(context, step);
 }
 
-Image visibility_of(const Image& image) {
-  Image visibility(image.width, image.height);
-  std::ranges::copy(image.plane("visibility"), visibility.add_plane("visibility").begin());
-  return visibility;
+/// The first frame, and when times are wanted those of more, in turn with the baseline's.
+Frame render_frames(Context& context, const PlanStep& step, size_t baseline, RunRecord& record) {
+  const SweepPlan& plan = context.plan;
+  std::vector<LabelledRequest> requests{request_of(plan, plan.runs[*step.run])};
+  if (plan.timing && baseline != *step.run) requests.push_back(request_of(plan, plan.runs[baseline]));
+  const TimingPlan timing = plan.timing.value_or(TimingPlan{.wanted_frames = 0});
+  std::vector<TimedRun> runs = render_interleaved(
+      context.renderers.realtime, context.scenes[step.scene].scene, requests, timing, context.progress);
+  record.result.failure = runs.front().failure;
+  if (record.result.failure) return {};
+  take_frame(runs.front(), record.result);
+  if (runs.size() > 1 && !runs[1].failure) record.baseline_times = summarise(runs[1].times);
+  return std::move(runs.front().frame);
 }
 
-void take_score(const Score& score, RunRecord& record) {
-  record.parity = parity_numbers(score.parity, ParityTolerance{}.required_agreement);
-  record.result.error = score.error;
-  record.result.judgement = score.judgement;
-  record.result.diagnosis = score.diagnosis;
-  record.result.similarity = score.similarity;
-  if (score.no_diagnosis)
-    record.result.warnings.push_back("the faults could not be told apart: " + score.no_diagnosis->message);
-}
-
-void take_frame(const Frame& frame, TechniqueResult& result) {
-  result.parameters = frame.parameters;
-  result.device = frame.device;
-  result.memory_bytes = frame.memory_bytes;
-  result.wall_time_s = frame.wall_time_s;
-  result.warnings = frame.warnings;
+/// Counts which of the two is nearer to the truth.
+void judge(Context& context, const RunRecord& record, const StoredPicture& picture) {
+  Baseline& baseline = context.baseline;
+  if (baseline.key != record.baseline)
+    baseline = {record.baseline, find_picture(context.store, record.baseline)};
+  if (!baseline.picture) return;
+  const auto verdict =
+      judge_against({picture.image, picture.mask}, {baseline.picture->image, baseline.picture->mask}, "",
+                    *context.truth.image);
+  if (verdict) ++context.outcome.verdicts[verdict->outcome];
 }
 
 void render_run(Context& context, const PlanStep& step, const std::string& reference) {
-  const SceneJob& job = context.scenes[step.scene];
-  const BenchRun& run = context.plan.runs[*step.run];
-  const Clock::time_point start = Clock::now();
-  RunRecord record{head_of(context, job, run.seed), reference, {}, {}};
-  TechniqueResult& result = record.result;
-  result.label = run.technique.label;
-  result.technique = run.technique.id;
-  result.title = run.technique.title;
-  result.hash = run.technique.hash;
-  result.parameters = run.technique.parameters;
-  RenderRequest request = request_of(context.plan, run.seed);
-  request.technique = run.technique.technique;
-  request.parameters = run.technique.parameters;
-  MetricChoice metrics = context.plan.metrics;
+  const StudyScene& job = context.scenes[step.scene];
+  const SweepPlan& plan = context.plan;
+  const BenchRun& run = plan.runs[*step.run];
+  RunRecord record = make_record(run, make_head(job, plan.quality, run.seed), reference);
+  const size_t baseline = baseline_of(plan, job.scene, *step.run);
+  if (baseline != *step.run) {
+    const BenchRun& first = plan.runs[baseline];
+    record.baseline = run_key(reference, first.technique, first.seed, plan.metrics, plan.makers);
+  }
+  MetricChoice metrics = plan.metrics;
   metrics.verdict = false;  // a verdict is of two runs
-  Frame frame;
-  result.failure = guarded([&] {
-    frame = context.renderers.realtime.render(job.scene, request, context.progress);
-    take_frame(frame, result);
-    take_score(score_image(frame.image, *context.truth.image, job.scene.camera.eye_world, {metrics, {}}),
-               record);
-  });
-  record.head.duration_s = seconds_since(start);
-  if (!result.failure) result.image_file = keep(context, visibility_of(frame.image));
+  TechniqueResult& result = record.result;
+  const Frame frame = render_frames(context, step, baseline, record);
+  StoredPicture picture;
+  const Clock::time_point start = Clock::now();
+  if (!result.failure) {
+    result.failure = guarded([&] {
+      Score score = score_image(frame.image, *context.truth.image, job.scene.camera.eye_world, {metrics, {}});
+      take_score(score, record);
+      picture = {picture_to_store(frame.image, score.mask), std::move(score.mask)};
+    });
+  }
+  record.head.duration_s = result.wall_time_s + seconds_since(start);
+  if (!result.failure) result.image_file = keep(context, picture.image);
   context.store.put({step.key, EntryKind::run, to_json_text(record)});
   ++context.outcome.rendered;
-  if (result.failure) report(context, fmt::format("{}, {}", job.name, result.label), *result.failure);
+  if (result.failure)
+    return report(context, fmt::format("{}, {}", full_name(job), result.label), *result.failure);
+  if (!record.baseline.empty() && !picture.mask.empty()) judge(context, record, picture);
 }
 
 /// Whether the run is in the store; its failure is reported again.
@@ -172,9 +175,10 @@ bool take_stored(Context& context, const PlanStep& step) {
   if (!stored) return false;
   const auto& failure = stored->result.failure;
   if (failure && failure->kind != ErrorKind::input) return false;
+  if (context.plan.timing && !failure && stored->result.pass_times.empty()) return false;
   ++context.outcome.reused;
   const std::string& label = context.plan.runs[*step.run].technique.label;
-  if (failure) report(context, fmt::format("{}, {}", context.scenes[step.scene].name, label), *failure);
+  if (failure) report(context, fmt::format("{}, {}", full_name(context.scenes[step.scene]), label), *failure);
   return true;
 }
 
@@ -199,7 +203,7 @@ uint64_t milliseconds_of(const PlanStep& step) {
 
 }  // namespace
 
-SweepOutcome run_sweep(const SweepPlan& plan, std::span<const SceneJob> scenes,
+SweepOutcome run_sweep(const SweepPlan& plan, std::span<const StudyScene> scenes,
                        std::span<const PlanStep> steps, Renderers renderers, Store& store,
                        const std::filesystem::path& scratch, Progress& progress, const SweepFailed& failed) {
   uint64_t total_ms = 0;
@@ -210,7 +214,7 @@ SweepOutcome run_sweep(const SweepPlan& plan, std::span<const SceneJob> scenes,
                                                      return step.run && step.action == StepAction::render;
                                                    })),
                  total_ms);
-  Context context{plan, scenes, renderers, store, scratch, ShareProgress(progress), failed, {}, {}};
+  Context context{plan, scenes, renderers, store, scratch, ShareProgress(progress), failed, {}, {}, {}};
   std::string reference;  // key, of the scene at hand
   for (const PlanStep& step : steps) {
     context.progress.start_share(milliseconds_of(step));

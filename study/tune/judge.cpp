@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "metrics/bootstrap.h"
+#include "metrics/verdict.h"
 #include "study/guard.h"
 
 #include <algorithm>
@@ -51,6 +52,39 @@ bool Judge::is_worse(const ParameterValues& worse, const ParameterValues& better
   for (size_t i = 0; i < count; ++i) squares += std::pow(high[i] - low[i] - difference, 2.0);
   const double n = static_cast<double>(count);
   return difference > student_t_975(static_cast<int>(count) - 1) * std::sqrt(squares / (n * (n - 1.0)));
+}
+
+std::optional<Interval> Judge::gain(const ParameterValues& ours, const ParameterValues& other) const {
+  if (objective_ != Objective::rmse) return std::nullopt;
+  double value = 0.0, below = 0.0, above = 0.0;  // the last two squared: views are independent
+  for (size_t i = 0; i < views_.size(); ++i) {
+    const auto here = gain_on(i, ours, other);
+    if (!here) return std::nullopt;
+    value += here->value;
+    below += std::pow(here->value - here->low, 2.0);
+    above += std::pow(here->high - here->value, 2.0);
+  }
+  const auto count = static_cast<double>(views_.size());
+  return Interval{value / count, (value - std::sqrt(below)) / count, (value + std::sqrt(above)) / count};
+}
+
+/// A difference of squares, which pairs, is the difference of the roots times their sum.
+std::optional<Interval> Judge::gain_on(size_t index, const ParameterValues& ours,
+                                       const ParameterValues& other) const {
+  const View& view = views_[index];
+  std::optional<Interval> gain;
+  guarded([&] {
+    const Image mine = studio_.render(view, ours).image, theirs = studio_.render(view, other).image;
+    const auto verdict = compare_runs(theirs, mine, view.reference, view.mask);
+    const auto rmse = [&](const Image& image) {
+      return measure_objective(objective_, image, view.reference, view.mask, false).value().value;
+    };
+    if (!verdict) return;
+    const double scale = scales_[index] * std::max(rmse(mine) + rmse(theirs), kLeastScale);
+    const Interval& squares = verdict->mse_difference;
+    gain = Interval{squares.value / scale, squares.low / scale, squares.high / scale};
+  });
+  return gain;
 }
 
 const std::vector<double>& Judge::ratios(const ParameterValues& values) {

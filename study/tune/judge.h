@@ -27,6 +27,10 @@ class Judge {
   /// better one's, and for several views beyond the 95 % interval of their differences, too.
   bool is_worse(const ParameterValues& worse, const ParameterValues& better, double least);
 
+  /// How much larger `other`'s ratio is than that of `ours`, with its 95 % interval, pixel paired with pixel: positive where
+  /// ours is better. Absent for objectives other than rmse, and where a picture fails.
+  std::optional<Interval> gain(const ParameterValues& ours, const ParameterValues& other) const;
+
   /// On one view, with its interval; absent as above.
   std::optional<ObjectiveValue> measure(size_t view, const ParameterValues& values) const;
   /// The ratios of such measures, one a view.
@@ -38,6 +42,8 @@ class Judge {
 
  private:
   std::optional<ObjectiveValue> measure(size_t view, const ParameterValues& values, bool with_interval) const;
+  std::optional<Interval> gain_on(size_t view, const ParameterValues& ours,
+                                  const ParameterValues& other) const;
   const std::vector<double>& ratios(const ParameterValues& values);
 
   Studio& studio_;

@@ -179,6 +179,8 @@ class Tuning {
         continue;
       }
       score_candidate(judge, others, candidate);
+      candidate.gain = judge.gain(result_.best.values, candidate.values);
+      if (others != nullptr) candidate.held_out_gain = others->gain(result_.best.values, candidate.values);
       result_.others.push_back(candidate);
     }
   }

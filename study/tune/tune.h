@@ -50,6 +50,8 @@ struct Candidate {
   /// Mean over views of objective / default's; infinite when one is missing.
   double ratio = 0.0;
   std::optional<double> held_out_ratio;  // absent without held-out views
+  /// Of the tuned values over this one, as Judge::gain has it; absent for the tuned values themselves.
+  std::optional<Interval> gain, held_out_gain;
 };
 
 /// How much the objective rises, as a share of its least, one step to either side; of a choice, at the best other one.

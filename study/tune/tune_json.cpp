@@ -31,6 +31,8 @@ Json candidate_json(const Candidate& candidate) {
           {"same_cost", candidate.same_cost},
           {"ratio", finite(candidate.ratio)},
           {"held_out_ratio", candidate.held_out_ratio ? finite(*candidate.held_out_ratio) : Json(nullptr)},
+          {"gain", interval_json(candidate.gain)},
+          {"held_out_gain", interval_json(candidate.held_out_gain)},
           {"scores", scores},
           {"parameters", parameters_json(candidate.values)}};
 }

@@ -13,8 +13,14 @@
 namespace umbrameter {
 namespace {
 
-constexpr double kFar_deg = 20.0, kNear_deg = 14.0;  // held out
-constexpr std::array kTrained_deg = {-6.0, 6.0, -13.0, 13.0};
+/// A camera turned so far to one side, and nearer where it does not see enough from there.
+struct Turn {
+  double far_deg = 0.0, near_deg = 0.0;
+};
+// Those held out lie between those tuned on, also where both come nearer.
+constexpr std::array kTrained = {Turn{10.0, 5.0}, Turn{26.0, 17.0}};
+constexpr Turn kHeldOut = {20.0, 14.0};
+constexpr std::array kSides = {-1.0, 1.0};
 constexpr double kLeastShare =
     0.3;  // of the covered and of the shadowed pixels of the camera that was tuned on
 
@@ -111,14 +117,22 @@ std::optional<View> turned_view(Studio& studio, SceneJob& job, const View& train
   return view && sees_enough(*view, trained) ? std::move(view) : std::nullopt;
 }
 
+std::optional<View> turned_view(Studio& studio, SceneJob& job, const View& trained, const Turn& turn,
+                                double side) {
+  auto view = turned_view(studio, job, trained, side * turn.far_deg);
+  return view ? std::move(view) : turned_view(studio, job, trained, side * turn.near_deg);
+}
+
 }  // namespace
 
 std::vector<View> make_trained_views(Studio& studio, SceneJob& job, const Fidelity& fidelity, int count) {
   std::vector<View> views;
   views.push_back(studio.make_view(job, job.scene.camera, job.name, fidelity));
   if (count == 1) return views;
-  for (const double angle_deg : kTrained_deg) {
-    if (auto view = turned_view(studio, job, views.front(), angle_deg)) views.push_back(std::move(*view));
+  for (const Turn& turn : kTrained) {
+    for (const double side : kSides) {
+      if (auto view = turned_view(studio, job, views.front(), turn, side)) views.push_back(std::move(*view));
+    }
   }
   return views;
 }
@@ -126,14 +140,12 @@ std::vector<View> make_trained_views(Studio& studio, SceneJob& job, const Fideli
 std::vector<View> make_held_out_views(Studio& studio, SceneJob& job, const View& trained,
                                       std::vector<std::string>& notes) {
   std::vector<View> views;
-  for (const double side : {-1.0, 1.0}) {
-    auto view = turned_view(studio, job, trained, side * kFar_deg);
-    if (!view) view = turned_view(studio, job, trained, side * kNear_deg);
-    if (view) {
+  for (const double side : kSides) {
+    if (auto view = turned_view(studio, job, trained, kHeldOut, side)) {
       views.push_back(std::move(*view));
     } else {
-      notes.push_back(
-          fmt::format("{}: no held-out camera at {:+.0f} degrees sees enough", job.name, side * kNear_deg));
+      notes.push_back(fmt::format("{}: no held-out camera at {:+.0f} degrees sees enough", job.name,
+                                  side * kHeldOut.near_deg));
     }
   }
   return views;

@@ -50,12 +50,13 @@ class Studio {
 /// The camera turned around what it looks at, about its up direction.
 Camera orbit(const Camera& camera, double angle_deg);
 
-/// The scene's camera, and with `count` = 5 also those turned by 6 and 13 degrees to either side that see enough of the
-/// scene and of its shadow. Tuned on one picture alone, values learn how the map's texels happen to lie in it. Error{input} when the first is not comparable.
+/// The scene's camera, and with `count` = 5 also those turned by 10 and 26 degrees to either side (5 and 17 where the
+/// further one does not see enough of the scene and of its shadow). Tuned on one picture alone, values learn how the map's
+/// texels happen to lie in it. Error{input} when the first is not comparable.
 std::vector<View> make_trained_views(Studio& studio, SceneJob& job, const Fidelity& fidelity, int count);
 
-/// Cameras turned 20 degrees to either side, or 14 where the further one does not see enough; `notes` name those left
-/// out. `trained` is the scene's own camera.
+/// Cameras turned 20 degrees to either side, or 14 where the further one does not see enough: between those tuned on, and
+/// none of them. `notes` name those left out. `trained` is the scene's own camera.
 std::vector<View> make_held_out_views(Studio& studio, SceneJob& job, const View& trained,
                                       std::vector<std::string>& notes);
 

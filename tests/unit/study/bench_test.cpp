@@ -76,6 +76,10 @@ BenchEntry timed(const std::string& label, double low, double high, int frames =
   return result;
 }
 
+StudyScene study_scene(const std::string& name) {
+  return {name, fake_scene(name).scene};
+}
+
 class Claims : public testing::Test {
  protected:
   ClaimResult judge(Quantity quantity, PaperRatio paper, const std::string& pass = {},
@@ -159,7 +163,7 @@ class Bench : public testing::Test {
   BenchResults run() {
     FakeRenderer reference = fake_reference();
     SilentProgress progress;
-    const std::vector<SceneJob> scenes{fake_scene("plate"), fake_scene("assets/bunny")};
+    const std::vector<StudyScene> scenes{study_scene("plate"), study_scene("assets/bunny")};
     BenchResults results = run_bench(scenes, plan_, {reference, realtime_}, progress);
     EXPECT_EQ(reference.requests.size(), 2u);  // one truth a scene
     EXPECT_EQ(reference.requests[0].seed, 7u);
@@ -202,13 +206,29 @@ TEST_F(Bench, FailuresAndSkipsAreRecordedAndTheRestGoesOn) {
 TEST_F(Bench, WithoutATruthTimesStandAndErrorsDoNot) {
   FakeRenderer reference([](const RenderRequest&) -> Frame { fail_environment("no memory"); });
   SilentProgress progress;
-  const std::vector<SceneJob> scenes{fake_scene("plate")};
+  const std::vector<StudyScene> scenes{study_scene("plate")};
   const BenchScene scene = run_bench(scenes, plan_, {reference, realtime_}, progress).scenes[0];
   ASSERT_TRUE(scene.failure);
   EXPECT_FALSE(scene.entries[0].rmse);
   EXPECT_FALSE(scene.entries[0].has_place);
   EXPECT_TRUE(scene.entries[0].time_ms);
   EXPECT_EQ(verdict_text(scene.claims[0]), "inside");
+}
+
+TEST_F(Bench, AClaimOfASceneHoldsForItsCameras) {
+  plan_.claims[0].by_scene = {{"plate", plan_.claims[0].every_scene.value()}};
+  plan_.claims[0].every_scene.reset();
+  FakeRenderer reference = fake_reference();
+  SilentProgress progress;
+  std::vector<StudyScene> scenes{study_scene("plate"), study_scene("assets/bunny")};
+  scenes[0].camera = "left";
+  const BenchResults results = run_bench(scenes, plan_, {reference, realtime_}, progress);
+  EXPECT_EQ(results.scenes[0].claims.size(), 1u);
+  EXPECT_TRUE(results.scenes[1].claims.empty());
+  const Json scene = Json::parse(to_json_text(results, {}))["scenes"][0];
+  EXPECT_EQ(scene["name"], "plate, left");
+  EXPECT_EQ(scene["scene"], "plate");
+  EXPECT_EQ(scene["camera"], "left");
 }
 
 TEST_F(Bench, JsonHoldsTheContextAndTheAnswers) {

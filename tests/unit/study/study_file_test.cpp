@@ -2,6 +2,7 @@
 
 #include "study/study_file.h"
 
+#include "core/error.h"
 #include "core/files.h"
 
 #include <gmock/gmock.h>
@@ -39,6 +40,49 @@ std::vector<double> numbers(const std::string& values) {
   for (const StudyRun& run : parse(run_with("v = " + values)).runs)
     result.push_back(run.values[0].second.real);
   return result;
+}
+
+TEST(StudyFileTest, CamerasTurnOrReplaceTheScenesOwn) {
+  EXPECT_TRUE(parse(kRuns).cameras.empty());
+  const StudyFile study = parse(
+      "[[camera]]\nname = \"own\"\n[[camera]]\nname = \"around\"\norbit_deg = [-20, 7.5]\n[[camera]]\nname = "
+      "\"door\"\neye = [1, 2, 3]\nat = [0, 0, 0]\nfov_deg = 60\n" +
+      std::string(kRuns));
+  std::vector<std::string> names;
+  for (const StudyCamera& camera : study.cameras) names.push_back(camera.name);
+  EXPECT_THAT(names, ElementsAre("own", "around -20 deg", "around +7.5 deg", "door"));
+  Camera own;
+  own.eye_world = {10, 1, 0};
+  own.at_world = {0, 1, 0};
+  own.vertical_fov_deg = 30;
+  EXPECT_EQ(camera_in(study.cameras[0], own).eye_world, own.eye_world);
+  const Camera turned = camera_in(study.cameras[1], own);
+  // Around +y by -20 degrees: x to x cos 20, z to x sin 20.
+  EXPECT_NEAR(turned.eye_world.x, 9.397, 1e-3);
+  EXPECT_NEAR(turned.eye_world.y, 1.0, 1e-12);
+  EXPECT_NEAR(turned.eye_world.z, 3.420, 1e-3);
+  EXPECT_EQ(turned.vertical_fov_deg, 30);
+  EXPECT_EQ(camera_in(study.cameras[3], own).eye_world, glm::dvec3(1, 2, 3));
+  EXPECT_EQ(camera_in(study.cameras[3], own).vertical_fov_deg, 60);
+}
+
+TEST(StudyFileTest, SlipsInCamerasAreNamedAtTheirPlace) {
+  const auto slip = [](const std::string& camera) -> std::string {
+    try {
+      parse("[[camera]]\n" + camera + kRuns);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "none";
+  };
+  EXPECT_THAT(slip("orbit_deg = 1\n"), HasSubstr("study.toml:4"));
+  EXPECT_THAT(slip("name = \"\"\n"), HasSubstr("name is empty"));
+  EXPECT_THAT(slip("name = \"a\"\norbit_dg = 3\n"), HasSubstr("did you mean 'orbit_deg'?"));
+  EXPECT_THAT(slip("name = \"a\"\norbit_deg = 360\n"), HasSubstr("no angle between"));
+  EXPECT_THAT(slip("name = \"a\"\norbit_deg = []\n"), HasSubstr("is empty"));
+  EXPECT_THAT(slip("name = \"a\"\norbit_deg = 3\neye = [0, 0, 1]\n"), HasSubstr("there is no other place"));
+  EXPECT_THAT(slip("name = \"a\"\neye = [0, 0, 1]\n"), HasSubstr("'at'"));
+  EXPECT_THAT(slip("name = \"a\"\n[[camera]]\nname = \"a\"\n"), HasSubstr("two cameras are called 'a'"));
 }
 
 TEST(StudyFileTest, DefaultsAndNumbers) {

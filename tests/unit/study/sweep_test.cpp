@@ -8,6 +8,7 @@
 #include "study/sweep/export.h"
 #include "study/sweep/merge.h"
 #include "study/sweep/sweep.h"
+#include "study/sweep/verdicts.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,12 +16,17 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <map>
 
 namespace umbrameter {
 namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
+
+StudyScene study_scene(const std::string& name) {
+  return {name, fake_scene(name).scene};
+}
 
 class SweepTest : public testing::Test {
  protected:
@@ -51,7 +57,7 @@ class SweepTest : public testing::Test {
   }
 
   TemporaryFolder temporary_;
-  std::vector<SceneJob> scenes_{fake_scene("plate"), fake_scene("wall")};
+  std::vector<StudyScene> scenes_{study_scene("plate"), study_scene("wall")};
   SweepPlan plan_;
   FakeRenderer reference_ = fake_reference();
   FakeRenderer realtime_ = fake_realtime();
@@ -190,6 +196,97 @@ TEST_F(SweepTest, PartsMergedAreTheWhole) {
   EXPECT_EQ(numbers("merged"), numbers("whole"));
   plan_.shard = {};
   EXPECT_EQ(sweep("merged").rendered, 0u);
+}
+
+TEST_F(SweepTest, ACameraIsAPictureOfItsOwn) {
+  scenes_.resize(1);
+  scenes_.push_back(scenes_[0]);
+  scenes_[1].camera = "left";
+  scenes_[1].scene.hash = "from the left";
+  plan_.runs.resize(2);
+  EXPECT_EQ(sweep().rendered, 4u);
+  const StoredRuns runs = stored();
+  ASSERT_EQ(runs.runs.size(), 4u);
+  EXPECT_EQ(runs.older, 0u);
+  EXPECT_EQ(runs.runs[0].head.camera, "");
+  EXPECT_EQ(runs.runs[2].head.camera, "left");
+  EXPECT_EQ(runs.runs[2].head.scene, "plate");
+  EXPECT_THAT(to_csv(runs), HasSubstr("\nplate,left,from the left,"));
+  EXPECT_EQ(full_name(scenes_[1]), "plate, left");
+}
+
+TEST_F(SweepTest, VerdictsComeFromStoredImages) {
+  std::swap(plan_.runs[0], plan_.runs[1]);  // "off" is first
+  plan_.runs.push_back(plan_.runs[0]);
+  plan_.runs.back().technique.label = "as far off";
+  plan_.runs.back().technique.parameters["taps"] = int64_t{17};
+  scenes_.resize(1);
+  realtime_ = FakeRenderer([](const RenderRequest& request) {  // wrong everywhere, so that no place disagrees
+    Image image = technique_image(0.0f);
+    if (request.technique == "broken") fail_input("does not compile");
+    if (request.technique == "off") std::ranges::fill(image.plane("visibility"), 0.6f);
+    Frame frame = frame_of(std::move(image));
+    frame.parameters = request.parameters;
+    return frame;
+  });
+  const SweepOutcome outcome = sweep();
+  EXPECT_EQ(outcome.verdicts.at(Comparison::better), 1u);
+  EXPECT_EQ(outcome.verdicts.at(Comparison::same), 1u);
+  const auto verdicts = [&](const std::string& baseline) {
+    StoredRuns runs = stored();
+    Store store(folder(), Database::Mode::read);
+    judge_runs(store, runs.runs, baseline);
+    std::map<std::string, std::string> found;
+    for (const RunRecord& run : runs.runs) {
+      const auto& verdict = run.result.judgement.verdict;
+      found[run.result.label] =
+          verdict ? std::string(name_of(verdict->outcome)) + " " + verdict->baseline : "";
+    }
+    return found;
+  };
+  using Verdicts = std::map<std::string, std::string>;
+  EXPECT_EQ(verdicts(""),
+            (Verdicts{{"off", ""}, {"exact", "better off"}, {"broken", ""}, {"as far off", "same off"}}));
+  EXPECT_EQ(verdicts("exact"),
+            (Verdicts{{"off", "worse exact"}, {"exact", ""}, {"broken", ""}, {"as far off", "worse exact"}}));
+  EXPECT_EQ(verdicts("nobody")["exact"], "");
+}
+
+TEST_F(SweepTest, TimesAreTakenBesideTheFirstRunAndJoinAStoredResult) {
+  scenes_.resize(1);
+  realtime_.time_frame = [](const RenderRequest& request, int) {
+    return std::vector<double>{request.technique == "off" ? 3.0 : 1.0, 1.0};
+  };
+  sweep("untimed");
+  sweep();
+  plan_.timing = TimingPlan{.wanted_frames = 7, .budget_s = 1.0};
+  const auto steps = plan();
+  EXPECT_EQ(steps[1].reason, "stored without times");
+  EXPECT_EQ(steps[3].action, StepAction::reuse);  // broken for good
+  EXPECT_EQ(sweep().rendered, 2u);
+  EXPECT_EQ(sweep().rendered, 0u);
+  const auto of = [](const StoredRuns& runs, const std::string& label) {
+    return *std::ranges::find(runs.runs, label, [](const RunRecord& run) { return run.result.label; });
+  };
+  const RunRecord first = of(stored(), "exact"), off = of(stored(), "off");
+  EXPECT_EQ(total_time(first.result.pass_times)->median_ms, 2.0);
+  EXPECT_TRUE(first.baseline.empty() && first.baseline_times.empty());
+  EXPECT_EQ(total_time(off.result.pass_times)->median_ms, 4.0);
+  EXPECT_EQ(total_time(off.result.pass_times)->frames, 7);
+  EXPECT_EQ(total_time(off.baseline_times)->median_ms, 2.0);
+  EXPECT_EQ(off.result.timer, "fake clock");
+  EXPECT_THAT(to_csv(stored()), HasSubstr(",4,0,7,2,fake clock,"));
+
+  RunRecord without = off;
+  without.result.pass_times.clear();
+  without.baseline_times.clear();
+  without.result.timer.clear();
+  without.head = of(stored("untimed"), "off").head;
+  EXPECT_EQ(to_json_text(without), to_json_text(of(stored("untimed"), "off")));
+
+  Store untimed(folder("untimed"), Database::Mode::write), timed(folder(), Database::Mode::write);
+  EXPECT_EQ(merge_store(timed, untimed).added, 2u);
+  EXPECT_EQ(merge_store(untimed, timed).added, 0u);
 }
 
 TEST_F(SweepTest, ShardsAreWholeAndDisjoint) {

@@ -1,0 +1,22 @@
+#pragma once
+// From what was rendered and scored to what a sweep stores of it.
+
+#include "study/bench.h"
+#include "study/score.h"
+#include "study/store/keys.h"
+#include "study/sweep/record.h"
+
+#include <string>
+
+namespace umbrameter {
+
+/// Started now.
+RecordHead make_head(const StudyScene& scene, const PictureQuality& quality, uint64_t seed);
+
+/// Without results.
+RunRecord make_record(const BenchRun& run, RecordHead head, const std::string& reference);
+
+void take_frame(const TimedRun& run, TechniqueResult& result);
+void take_score(const Score& score, RunRecord& record);
+
+}  // namespace umbrameter
