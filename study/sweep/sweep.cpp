@@ -21,6 +21,7 @@ namespace {
 struct Truth {
   std::optional<size_t> scene;  // index; absent: none yet
   std::optional<Image> image;   // absent: it failed
+  SharedTruth shared;           // between its runs
 };
 
 struct Context {
@@ -97,7 +98,7 @@ void render_truth(Context& context, const PlanStep& step) {
 /// From the store if it may and can, else rendered.
 void require_truth(Context& context, size_t scene, const std::string& key) {
   if (context.truth.scene == scene) return;
-  context.truth = {scene, std::nullopt};
+  context.truth = {scene, std::nullopt, {}};
   if (context.plan.reuse) {
     const auto json = context.store.find(key);
     const auto record = json ? parse_reference_record(*json) : std::nullopt;
@@ -154,7 +155,8 @@ void render_run(Context& context, const PlanStep& step, const std::string& refer
   result.failure = guarded([&] {
     frame = context.renderers.realtime.render(job.scene, request, context.progress);
     take_frame(frame, result);
-    take_score(score_image(frame.image, *context.truth.image, job.scene.camera.eye_world, {metrics, {}}),
+    take_score(score_image(frame.image, *context.truth.image, job.scene.camera.eye_world, {metrics, {}},
+                           &context.truth.shared),
                record);
   });
   record.head.duration_s = seconds_since(start);
