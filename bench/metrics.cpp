@@ -20,6 +20,7 @@
 
 #include <oneapi/tbb/global_control.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
@@ -181,16 +182,34 @@ void temporal(benchmark::State& state) {
   });
 }
 
+const ColorChannels kGrey = {"visibility", "visibility", "visibility"};
+// Planes that differ, so that no channel is spared.
+const ColorChannels kColor = {"visibility", "half_a", "half_b"};
+
 void flip(benchmark::State& state) {
-  measure(state, [](const Pair& p) {
-    return measure_flip(p.test, p.reference, {"visibility", "visibility", "visibility"});
-  });
+  measure(state, [](const Pair& p) { return measure_flip(p.test, p.reference, kGrey); });
+}
+
+void flip_color(benchmark::State& state) {
+  static Image test = pair().test;
+  for (const char* half : {"half_a", "half_b"})
+    std::ranges::copy(pair().test.plane("visibility"), test.add_plane(half).begin());
+  measure(state, [](const Pair& p) { return measure_flip(test, p.reference, kColor); });
+}
+
+// Against a reference that was seen before.
+void flip_further(benchmark::State& state) {
+  static const FlipReference reference(pair().reference, kGrey);
+  measure(state, [](const Pair& p) { return reference.measure(p.test); });
 }
 
 void hdr_flip(benchmark::State& state) {
-  measure(state, [](const Pair& p) {
-    return measure_hdr_flip(p.test, p.reference, {"visibility", "visibility", "visibility"});
-  });
+  measure(state, [](const Pair& p) { return measure_hdr_flip(p.test, p.reference, kGrey); });
+}
+
+void hdr_flip_further(benchmark::State& state) {
+  static const HdrFlipReference reference(pair().reference, kGrey);
+  measure(state, [](const Pair& p) { return reference.measure(p.test); });
 }
 
 void ssim(benchmark::State& state) {
@@ -227,7 +246,10 @@ UMBRAMETER_BENCH(causes);
 UMBRAMETER_BENCH(moire);
 UMBRAMETER_BENCH(temporal);
 UMBRAMETER_BENCH(flip);
+UMBRAMETER_BENCH(flip_further);
+UMBRAMETER_BENCH(flip_color);
 UMBRAMETER_BENCH(hdr_flip);
+UMBRAMETER_BENCH(hdr_flip_further);
 UMBRAMETER_BENCH(ssim);
 UMBRAMETER_BENCH(everything);
 

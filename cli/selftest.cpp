@@ -80,7 +80,7 @@ void add_selftest(CLI::App& app, CommandLine& line) {
   verb->fallthrough();
   verb->add_option("--scene", options->scenes, "only this scene and its faults; repeatable")
       ->allow_extra_args(false);
-  verb->add_flag("--benign", options->benign_only, "only the changes that are no faults");
+  verb->add_flag("--benign", options->benign_only, "only the changes that are no faults, and the masks");
   verb->add_flag("--assets-too", options->with_assets, "also the scenes of real models");
   verb->add_option("--width", options->width_px,
                    "of the pictures in px; what is given as right was seen at 320 x 180")

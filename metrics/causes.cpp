@@ -103,8 +103,7 @@ void add_stairs(const Pair& pair, std::span<const PenumbraProfile> profiles, Err
   if (!pair.texels.known()) return;
   std::vector<Edge> edges;
   for (const PenumbraProfile& p : profiles) {
-    const size_t pixel =
-        static_cast<size_t>(p.y) * static_cast<size_t>(pair.surface.width) + static_cast<size_t>(p.x);
+    const size_t pixel = p.pixel(pair.surface.width);
     if (!p.edge_offset_world) continue;
     if (footprint_px(texel_step(pair.texels, pair.surface, pixel)) < kStairPx) continue;
     edges.push_back({p.x, p.y, pixel, *p.edge_offset_world});

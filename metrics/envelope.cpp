@@ -20,6 +20,7 @@ constexpr float kPlateau = 0.01f;  // from full light or full shadow
 struct Field {
   std::span<const float> v, r, se;
   std::span<const uint8_t> mask;
+  SurfaceView surface;
   std::span<const PenumbraProfile> profiles;
   const EnvelopeSettings& settings;
 
@@ -48,8 +49,7 @@ std::vector<int32_t> nearest_profiles(std::span<const PenumbraProfile> profiles,
   std::vector<int32_t> profile_at(is_feature.size(), -1);
   for (size_t k = 0; k < profiles.size(); ++k) {
     if (!(profiles[k].reference_width_px > 0.0)) continue;
-    const size_t i =
-        static_cast<size_t>(profiles[k].y) * static_cast<size_t>(width) + static_cast<size_t>(profiles[k].x);
+    const size_t i = profiles[k].pixel(width);
     UMBRAMETER_ASSERT(i < is_feature.size(), "profile at ({}, {})", profiles[k].x, profiles[k].y);
     is_feature[i] = 1;
     profile_at[i] = static_cast<int32_t>(k);
@@ -86,7 +86,7 @@ void measure_side(const Field& field, const TileGrid& grid, const Tile& tile, co
                   Envelope& out, std::vector<float>& residual, TileSum& sum, size_t& pixels) {
   if (side.pixels.empty()) return;
   const DiscMinimum discs(field.r, field.mask, grid, tile, side.max_radius_px, side.sign);
-  const Outskirts outskirts = {field.v, field.r, field.mask, grid.width, grid.height, side.sign};
+  const Outskirts outskirts = {field.v, field.r, field.mask, field.surface, side.sign};
   for (const size_t i : side.pixels) {
     const float excused = side.sign * field.v[i] + out.tolerance[i];
     const int x = static_cast<int>(i % static_cast<size_t>(grid.width));
@@ -132,6 +132,7 @@ Envelope measure_envelope(const Image& test, const Image& reference, std::span<c
                        reference.plane("visibility"),
                        reference.plane("visibility_se"),
                        mask,
+                       checked_surface(reference),
                        profiles,
                        settings};
   Envelope out;

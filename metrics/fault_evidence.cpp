@@ -28,18 +28,6 @@ constexpr Signs bit(Sign sign) {
   return static_cast<Signs>(1u << static_cast<unsigned>(sign));
 }
 
-double pixel_extent_world(const SurfaceView& surface, size_t i) {
-  const size_t columns = static_cast<size_t>(surface.width);
-  double extent = 0.0;
-  if (i % columns > 0 && same_surface(surface, i, i - 1)) {
-    extent = glm::length(surface.p_world(i) - surface.p_world(i - 1));
-  }
-  if (i >= columns && same_surface(surface, i, i - columns)) {
-    extent = std::max(extent, glm::length(surface.p_world(i) - surface.p_world(i - columns)));
-  }
-  return extent;
-}
-
 bool normals_disagree(const FaultInput& input, size_t i, double cosine_limit) {
   const glm::dvec3 shading = {input.shading_normal[0][i], input.shading_normal[1][i],
                               input.shading_normal[2][i]};
@@ -49,12 +37,6 @@ bool normals_disagree(const FaultInput& input, size_t i, double cosine_limit) {
 // In part dark without a blocker: the receiver's own plane cuts the light.
 bool at_own_horizon(const FaultInput& input, size_t i) {
   return input.blocker_layers[i] == 0.0f && input.r[i] < kHorizonVisibility;
-}
-
-double distance_px(const FaultInput& input, size_t i, int32_t to) {
-  const int64_t columns = input.surface.width, at = static_cast<int64_t>(i);
-  return std::hypot(static_cast<double>(at % columns - to % columns),
-                    static_cast<double>(at / columns - to / columns));
 }
 
 // Only a texel larger than a pixel makes an edge coarser than the picture.
@@ -112,11 +94,11 @@ Signs signs_of(const FaultInput& input, size_t i, float residual, bool is_dark, 
     add(Sign::separate, has_ridge && !overlaps);
   }
   if (nearest_edge < 0) return signs;
-  const double distance = distance_px(input, i, nearest_edge), width_px = nearest_width_px(input, i);
+  const double distance = distance_px(i, nearest_edge, input.surface.width),
+               width_px = nearest_width_px(input, i);
   const bool is_near = width_px >= kWidestContact && distance <= width_px;
   add(Sign::near, is_near);
-  const Outskirts outskirts = {
-      input.v, input.r, input.mask, input.surface.width, input.surface.height, is_dark ? 1.0f : -1.0f};
+  const Outskirts outskirts = {input.v, input.r, input.mask, input.surface, is_dark ? 1.0f : -1.0f};
   add(Sign::alone, is_near && outskirts.on_plateau(i, static_cast<float>(epsilon)) &&
                        stands_alone(outskirts, i, kReachWidths * width_px, input.envelope.tolerance[i]));
   add(Sign::edge, at_coarse_edge(input, i, distance, width_px));

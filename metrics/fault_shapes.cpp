@@ -11,12 +11,6 @@ namespace umbrameter {
 
 namespace {
 
-double distance_px(size_t i, int32_t j, int width) {
-  const int64_t columns = width, at = static_cast<int64_t>(i);
-  return std::hypot(static_cast<double>(at % columns - j % columns),
-                    static_cast<double>(at / columns - j / columns));
-}
-
 constexpr double kSolidShare = 0.5;    // of what is wrong, covered by the disc
 constexpr double kOpenRim = 0.25;      // of a shadow's rim; facets that are dark as a whole have less
 constexpr double kRadiusTexels = 1.5;  // acne's stripes are at most a texel wide

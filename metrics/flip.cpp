@@ -18,31 +18,50 @@ constexpr double kA = 0.6 * 0.6 * 2.51, kB = 0.6 * 0.03, kC = 0.6 * 0.6 * 2.43, 
 constexpr double kBrightTone = 0.85;  // the paper's t
 constexpr float kHighest = 1e9f;      // its square and the curve's constants still fit a float
 
-void require_pictures(const Image& test, const Image& reference, const ColorChannels& channels, float highest,
-                      const FlipSettings& settings) {
-  require_same_size(test, reference, "FLIP");
-  if (!(settings.pixels_per_degree >= 1.0 && settings.pixels_per_degree <= 1000.0)) {
-    fail_input(fmt::format("pixels_per_degree is {}", settings.pixels_per_degree), {}, "1 to 1000");
-  }
-  const std::vector<uint8_t> everywhere(test.pixel_count(), 1);
-  for (const std::string& channel : channels) {
-    require_range(test, channel, everywhere, 0.0f, highest);
-    require_range(reference, channel, everywhere, 0.0f, highest);
-  }
+bool is_grey(const ColorChannels& channels) {
+  return channels[0] == channels[1] && channels[1] == channels[2];
+}
+
+void require_picture(const Image& picture, const ColorChannels& channels, float highest) {
+  const std::vector<uint8_t> everywhere(picture.pixel_count(), 1);
+  for (size_t k = 0; k < (is_grey(channels) ? 1 : channels.size()); ++k)
+    require_range(picture, channels[k], everywhere, 0.0f, highest);
+}
+
+void require_test(const Image& test, const ColorChannels& channels, float highest, int width, int height) {
+  require_same_size(test, Image(width, height), "FLIP");
+  require_picture(test, channels, highest);
+}
+
+void require_settings(const FlipSettings& settings) {
+  if (settings.pixels_per_degree >= 1.0 && settings.pixels_per_degree <= 1000.0) return;
+  fail_input(fmt::format("pixels_per_degree is {}", settings.pixels_per_degree), {}, "1 to 1000");
 }
 
 // Rows of `image`, each value through `linear_from`.
 template <class LinearFrom>
-RowSource rows_of(const Image& image, const ColorChannels& channels, const LinearFrom& linear_from) {
+FlipSource source_of(const Image& image, const ColorChannels& channels, const LinearFrom& linear_from) {
   const std::array planes = {image.plane(channels[0]), image.plane(channels[1]), image.plane(channels[2])};
   const size_t width = static_cast<size_t>(image.width);
-  return [planes, width, linear_from](int y, const LinearRow& row) {
+  const auto fill = [planes, width, linear_from](int y, const LinearRow& row) {
     const std::array<std::span<float>, 3> to = {row.red, row.green, row.blue};
     for (size_t k = 0; k < 3; ++k) {
       const float* from = planes[k].data() + static_cast<size_t>(y) * width;
-      for (size_t x = 0; x < width; ++x) to[k][x] = linear_from(from[x]);
+      for (size_t x = 0; x < to[k].size(); ++x) to[k][x] = linear_from(from[x]);
     }
   };
+  return {fill, is_grey(channels)};
+}
+
+FlipSource encoded_source(const Image& image, const ColorChannels& channels) {
+  return source_of(image, channels, [](float encoded) { return linear_from_srgb(encoded); });
+}
+
+FlipSource exposed_source(const Image& image, const ColorChannels& channels, double stops) {
+  return source_of(image, channels, [scale = static_cast<float>(std::exp2(stops))](float linear) {
+    const float tone = aces_tone(std::min(linear * scale, kHighest));
+    return tone < 1.0f ? tone : 1.0f;
+  });
 }
 
 // Exact, by counting: first the upper half of the bits, then the lower half among those that share it. Floats of 0
@@ -91,13 +110,24 @@ std::vector<float> luminances_above_0(const Image& image, const ColorChannels& c
 
 }  // namespace
 
+FlipReference::FlipReference(const Image& reference, ColorChannels channels, const FlipSettings& settings)
+    : channels_(std::move(channels)), settings_(settings) {
+  require_settings(settings);
+  require_picture(reference, channels_, 1.0f);
+  seen_ = see_picture(encoded_source(reference, channels_), reference.width, reference.height,
+                      settings.pixels_per_degree);
+}
+
+std::optional<Flip> FlipReference::measure(const Image& test) const {
+  require_test(test, channels_, 1.0f, seen_.width, seen_.height);
+  if (test.pixel_count() == 0) return std::nullopt;
+  return summarised(flip_map(encoded_source(test, channels_), seen_, settings_.pixels_per_degree));
+}
+
 std::optional<Flip> measure_flip(const Image& test, const Image& reference, const ColorChannels& channels,
                                  const FlipSettings& settings) {
-  require_pictures(test, reference, channels, 1.0f, settings);
-  if (test.pixel_count() == 0) return std::nullopt;
-  const auto linear = [](float encoded) { return linear_from_srgb(encoded); };
-  return summarised(flip_map(rows_of(test, channels, linear), rows_of(reference, channels, linear),
-                             test.width, test.height, settings.pixels_per_degree));
+  require_same_size(test, reference, "FLIP");
+  return FlipReference(reference, channels, settings).measure(test);
 }
 
 float aces_tone(float linear) {
@@ -119,24 +149,38 @@ std::optional<ExposureRange> exposure_range(const Image& reference, const ColorC
   return range;
 }
 
-std::optional<Flip> measure_hdr_flip(const Image& test, const Image& reference, const ColorChannels& channels,
-                                     const FlipSettings& settings) {
-  require_pictures(test, reference, channels, kHighest, settings);
-  const auto range = exposure_range(reference, channels);
-  if (!range) return std::nullopt;
-  std::vector<float> worst(test.pixel_count(), 0.0f);
-  for (int n = 0; n < range->count; ++n) {
+HdrFlipReference::HdrFlipReference(const Image& reference, ColorChannels channels,
+                                   const FlipSettings& settings)
+    : channels_(std::move(channels)),
+      settings_(settings),
+      width_(reference.width),
+      height_(reference.height) {
+  require_settings(settings);
+  require_picture(reference, channels_, kHighest);
+  const auto range = exposure_range(reference, channels_);
+  for (int n = 0; range && n < range->count; ++n) {
     const double stops = range->start + (range->stop - range->start) * n / (range->count - 1);
-    const auto exposed = [scale = static_cast<float>(std::exp2(stops))](float linear) {
-      const float tone = aces_tone(std::min(linear * scale, kHighest));
-      return tone < 1.0f ? tone : 1.0f;
-    };
+    exposures_.push_back({stops, see_picture(exposed_source(reference, channels_, stops), width_, height_,
+                                             settings.pixels_per_degree)});
+  }
+}
+
+std::optional<Flip> HdrFlipReference::measure(const Image& test) const {
+  require_test(test, channels_, kHighest, width_, height_);
+  if (exposures_.empty()) return std::nullopt;
+  std::vector<float> worst(test.pixel_count(), 0.0f);
+  for (const Exposed& exposed : exposures_) {
     const std::vector<float> map =
-        flip_map(rows_of(test, channels, exposed), rows_of(reference, channels, exposed), test.width,
-                 test.height, settings.pixels_per_degree);
+        flip_map(exposed_source(test, channels_, exposed.stops), exposed.seen, settings_.pixels_per_degree);
     for (size_t i = 0; i < map.size(); ++i) worst[i] = std::max(worst[i], map[i]);
   }
   return summarised(std::move(worst));
+}
+
+std::optional<Flip> measure_hdr_flip(const Image& test, const Image& reference, const ColorChannels& channels,
+                                     const FlipSettings& settings) {
+  require_same_size(test, reference, "FLIP");
+  return HdrFlipReference(reference, channels, settings).measure(test);
 }
 
 }  // namespace umbrameter

@@ -6,6 +6,7 @@
 // a leak from a benign change (METRICS 5b).
 
 #include "core/image.h"
+#include "metrics/flip_map.h"
 
 #include <array>
 #include <optional>
@@ -28,8 +29,22 @@ struct Flip {
   double share_above_02 = 0.0;  // of pixels
 };
 
-/// Of sRGB-encoded display values in [0,1]. Absent for an empty picture. Error{input} on size mismatch, missing
-/// channels, NaN, values outside [0,1].
+/// The reference's side of LDR-FLIP, which costs as much as the test's: made once for any number of tests. Keeps 12 bytes
+/// a pixel of grey pictures, 20 of others.
+class FlipReference {
+ public:
+  /// `reference` holds sRGB-encoded display values in [0,1]. Error{input} on missing channels, NaN, values outside [0,1].
+  FlipReference(const Image& reference, ColorChannels channels, const FlipSettings& settings = {});
+  /// Absent for an empty picture. Errors as above, and on size mismatch.
+  std::optional<Flip> measure(const Image& test) const;
+
+ private:
+  ColorChannels channels_;
+  FlipSettings settings_;
+  SeenPicture seen_;
+};
+
+/// FlipReference for a single test.
 std::optional<Flip> measure_flip(const Image& test, const Image& reference, const ColorChannels& channels,
                                  const FlipSettings& settings = {});
 
@@ -48,8 +63,25 @@ std::optional<ExposureRange> exposure_range(const Image& reference, const ColorC
 /// The ACES curve of HDR-FLIP (Narkowicz's fit without its exposure), before clamping to [0,1].
 float aces_tone(float linear);
 
-/// HDR-FLIP of linear BT.709 values of 0 or more: pixel by pixel the largest LDR-FLIP over the exposures. Absent for
-/// an empty picture and a black reference. Error{input} as measure_flip.
+/// The same of HDR-FLIP, for linear BT.709 values of 0 or more; keeps as much once an exposure.
+class HdrFlipReference {
+ public:
+  HdrFlipReference(const Image& reference, ColorChannels channels, const FlipSettings& settings = {});
+  /// Pixel by pixel the largest LDR-FLIP over the exposures. Absent for an empty picture and a black reference.
+  std::optional<Flip> measure(const Image& test) const;
+
+ private:
+  struct Exposed {
+    double stops = 0.0;
+    SeenPicture seen;
+  };
+  ColorChannels channels_;
+  FlipSettings settings_;
+  int width_ = 0, height_ = 0;
+  std::vector<Exposed> exposures_;
+};
+
+/// HdrFlipReference for a single test.
 std::optional<Flip> measure_hdr_flip(const Image& test, const Image& reference, const ColorChannels& channels,
                                      const FlipSettings& settings = {});
 

@@ -81,12 +81,16 @@ inline float lab_curve(float relative) {
   return relative > kDelta * kDelta * kDelta ? cube_root : line;
 }
 
-/// CIELab with chroma scaled by lightness (Hunt effect), L in 0..100.
+/// CIELab with chroma scaled by lightness (Hunt effect), L in 0..100, of what lab_curve gives for relative XYZ.
+inline glm::vec3 hunt_lab_from_curved(const glm::vec3& curved) {
+  const float lightness = 116.0f * curved.y - 16.0f;
+  return {lightness, 0.01f * lightness * 500.0f * (curved.x - curved.y),
+          0.01f * lightness * 200.0f * (curved.y - curved.z)};
+}
+
 inline glm::vec3 hunt_lab_from_linear(const glm::vec3& rgb_linear) {
   const glm::vec3 relative = kRelativeFromLinear * rgb_linear;
-  const float x = lab_curve(relative.x), y = lab_curve(relative.y), z = lab_curve(relative.z);
-  const float lightness = 116.0f * y - 16.0f;
-  return {lightness, 0.01f * lightness * 500.0f * (x - y), 0.01f * lightness * 200.0f * (y - z)};
+  return hunt_lab_from_curved({lab_curve(relative.x), lab_curve(relative.y), lab_curve(relative.z)});
 }
 
 /// |dL| + length of (da, db): HyAB, for large differences.

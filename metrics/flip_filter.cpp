@@ -76,20 +76,42 @@ struct Odd {
   static float pair(float left, float right) { return right - left; }
 };
 
-// A block's sums stay in registers while the taps pass by; the order of summation is fixed.
-template <class Parity>
-void add_taps(const float* const* centre, const HalfKernel& kernel, size_t count, float* to) {
-  for (size_t x = 0; x < count; x += kFilterBlock) {
-    std::array<float, kFilterBlock> sum;
-    for (size_t j = 0; j < kFilterBlock; ++j) sum[j] = to[x + j] + kernel[0] * centre[0][x + j];
-    for (std::ptrdiff_t k = 1; k < std::ssize(kernel); ++k) {
-      const float weight = kernel[static_cast<size_t>(k)];
-      const float *left = centre[-k] + x, *right = centre[k] + x;
-      for (size_t j = 0; j < kFilterBlock; ++j) sum[j] += weight * Parity::pair(left[j], right[j]);
+// Sums of one output in a block.
+template <class Parity, size_t kBlock>
+struct Output {
+  const HalfKernel& kernel;
+  float* to;
+  std::array<float, kBlock> sum{};
+
+  void begin(const float* centre) {
+    for (size_t j = 0; j < kBlock; ++j) sum[j] = kernel[0] * centre[j];
+  }
+  void add(size_t k, const float* left, const float* right) {
+    const float weight = kernel[k];
+    for (size_t j = 0; j < kBlock; ++j) sum[j] += weight * Parity::pair(left[j], right[j]);
+  }
+  void end(size_t x) { std::copy(sum.begin(), sum.end(), to + x); }
+};
+
+// A block's sums stay in registers while the taps pass by, and a tap is read once for all outputs, whose kernels have
+// one radius; the order of summation is fixed. Narrower blocks for more outputs, as registers are few.
+template <size_t kBlock, class... Outputs>
+void filter_taps(Taps centre, size_t radius, size_t count, Outputs... outputs) {
+  static_assert(kFilterBlock % kBlock == 0);
+  for (size_t x = 0; x < count; x += kBlock) {
+    (outputs.begin(centre[0] + x), ...);
+    for (size_t k = 1; k <= radius; ++k) {
+      const std::ptrdiff_t tap = static_cast<std::ptrdiff_t>(k);
+      (outputs.add(k, centre[-tap] + x, centre[tap] + x), ...);
     }
-    for (size_t j = 0; j < kFilterBlock; ++j) to[x + j] = sum[j];
+    (outputs.end(x), ...);
   }
 }
+
+template <class Parity>
+using Wide = Output<Parity, kFilterBlock>;
+template <class Parity>
+using Narrow = Output<Parity, kFilterBlock / 2>;
 
 }  // namespace
 
@@ -117,12 +139,26 @@ ObserverKernels observer_kernels(double ppd) {
   return out;
 }
 
-void add_even(const float* const* centre, const HalfKernel& kernel, size_t count, float* to) {
-  add_taps<Even>(centre, kernel, count, to);
+void filter_even(Taps centre, const HalfKernel& kernel, size_t count, float* to) {
+  filter_taps<kFilterBlock>(centre, kernel.size() - 1, count, Wide<Even>{kernel, to});
 }
 
-void add_odd(const float* const* centre, const HalfKernel& kernel, size_t count, float* to) {
-  add_taps<Odd>(centre, kernel, count, to);
+void filter_pair(Taps centre, const std::array<HalfKernel, 2>& kernels, size_t count,
+                 const std::array<float*, 2>& to) {
+  filter_taps<kFilterBlock / 2>(centre, kernels[0].size() - 1, count, Narrow<Even>{kernels[0], to[0]},
+                                Narrow<Even>{kernels[1], to[1]});
+}
+
+void filter_derivatives(Taps centre, const ObserverKernels& kernels, size_t count, float* edge,
+                        float* point) {
+  filter_taps<kFilterBlock / 2>(centre, kernels.edge.size() - 1, count, Narrow<Odd>{kernels.edge, edge},
+                                Narrow<Even>{kernels.point, point});
+}
+
+void filter_features(Taps centre, const ObserverKernels& kernels, size_t count, float* smooth, float* edge,
+                     float* point) {
+  filter_taps<kFilterBlock / 2>(centre, kernels.edge.size() - 1, count, Narrow<Even>{kernels.smooth, smooth},
+                                Narrow<Odd>{kernels.edge, edge}, Narrow<Even>{kernels.point, point});
 }
 
 }  // namespace umbrameter

@@ -22,7 +22,7 @@ class PaddedRow {
     std::fill(values_.begin() + static_cast<std::ptrdiff_t>(radius_ + width_), values_.end(),
               pixels().back());
   }
-  const float* const* centre() const { return taps_.data() + radius_; }
+  Taps centre() const { return taps_.data() + radius_; }
 
  private:
   size_t width_, radius_;
@@ -40,29 +40,43 @@ void ycxcz_in_place(const LinearRow& row) {
   }
 }
 
-}  // namespace
+void filter_luminance(const PaddedRow& luminance, const ObserverKernels& kernels, size_t count, int y,
+                      FilteredRows& out) {
+  filter_even(luminance.centre(), kernels.luminance, count, out.row(kLuminance, y));
+  filter_features(luminance.centre(), kernels, count, out.row(kSmooth, y), out.row(kEdge, y),
+                  out.row(kPoint, y));
+}
 
-void filter_flip_rows(const RowSource& source, const ObserverKernels& kernels, size_t width, int y0, int y1,
+void filter_grey_row(const FlipSource& source, const ObserverKernels& kernels, size_t width, int y,
+                     FilteredRows& out) {
+  PaddedRow luminance(width, kernels.radius);
+  source.fill(y, {luminance.pixels(), {}, {}});
+  for (float& value : luminance.pixels()) value = 116.0f * value - 16.0f;
+  luminance.repeat_border();
+  filter_luminance(luminance, kernels, padded(width), y, out);
+}
+
+void filter_color_row(const FlipSource& source, const ObserverKernels& kernels, size_t width, int y,
                       FilteredRows& out) {
   const size_t count = padded(width);
-  for_each_row(y1 - y0, [&](int n) {
-    const int y = y0 + n;
-    std::array<PaddedRow, 3> color = {PaddedRow(width, kernels.radius), PaddedRow(width, kernels.radius),
-                                      PaddedRow(width, kernels.radius)};
-    const LinearRow pixels = {color[0].pixels(), color[1].pixels(), color[2].pixels()};
-    source(y, pixels);
-    ycxcz_in_place(pixels);
-    for (PaddedRow& row : color) row.repeat_border();
-    for (int plane = 0; plane < kFlipPlanes; ++plane)
-      std::fill_n(out.row(static_cast<FlipPlane>(plane), y), count, 0.0f);
-    add_even(color[0].centre(), kernels.luminance, count, out.row(kLuminance, y));
-    add_even(color[1].centre(), kernels.red_green, count, out.row(kRedGreen, y));
-    add_even(color[2].centre(), kernels.blue_yellow_rows[0], count, out.row(kBlueYellow0, y));
-    add_even(color[2].centre(), kernels.blue_yellow_rows[1], count, out.row(kBlueYellow1, y));
-    add_even(color[0].centre(), kernels.smooth, count, out.row(kSmooth, y));
-    add_odd(color[0].centre(), kernels.edge, count, out.row(kEdge, y));
-    add_even(color[0].centre(), kernels.point, count, out.row(kPoint, y));
-  });
+  std::array<PaddedRow, 3> color = {PaddedRow(width, kernels.radius), PaddedRow(width, kernels.radius),
+                                    PaddedRow(width, kernels.radius)};
+  const LinearRow pixels = {color[0].pixels(), color[1].pixels(), color[2].pixels()};
+  source.fill(y, pixels);
+  ycxcz_in_place(pixels);
+  for (PaddedRow& row : color) row.repeat_border();
+  filter_luminance(color[0], kernels, count, y, out);
+  filter_even(color[1].centre(), kernels.red_green, count, out.row(kRedGreen, y));
+  filter_pair(color[2].centre(), kernels.blue_yellow_rows, count,
+              {out.row(kBlueYellow0, y), out.row(kBlueYellow1, y)});
+}
+
+}  // namespace
+
+void filter_flip_rows(const FlipSource& source, const ObserverKernels& kernels, size_t width, int y0, int y1,
+                      FilteredRows& out) {
+  const auto& filter_row = source.is_grey ? filter_grey_row : filter_color_row;
+  for_each_row(y1 - y0, [&](int n) { filter_row(source, kernels, width, y0 + n, out); });
 }
 
 }  // namespace umbrameter

@@ -1,5 +1,5 @@
 #pragma once
-// FLIP's filters along rows, a band of a picture at a time. Not here: along columns (metrics/flip_map.cpp).
+// FLIP's filters along rows, a band of a picture at a time. Not here: along columns (metrics/flip_see.h).
 
 #include "metrics/flip_filter.h"
 #include "metrics/flip_map.h"
@@ -10,8 +10,9 @@
 
 namespace umbrameter {
 
-/// What the columns are filtered from: the rows through every kernel that differs.
-enum FlipPlane { kLuminance, kRedGreen, kBlueYellow0, kBlueYellow1, kSmooth, kEdge, kPoint, kFlipPlanes };
+/// What the columns are filtered from: the rows through every kernel that differs. Grey pictures have no chroma.
+enum FlipPlane { kRedGreen, kBlueYellow0, kBlueYellow1, kLuminance, kSmooth, kEdge, kPoint, kFlipPlanes };
+inline constexpr size_t kFirstOfGrey = kLuminance;
 
 inline size_t padded(size_t count) {
   return (count + kFilterBlock - 1) / kFilterBlock * kFilterBlock;
@@ -21,10 +22,15 @@ inline size_t padded(size_t count) {
 /// page faults and cache misses than the filters do.
 class FilteredRows {
  public:
-  FilteredRows(int width, int height, int kept)
-      : stride_(padded(static_cast<size_t>(width)) + kFilterBlock), last_(height - 1), kept_(kept) {
-    for (auto& plane : planes_) plane.resize(stride_ * static_cast<size_t>(kept));
+  FilteredRows(int width, int height, int kept, bool is_grey)
+      : stride_(padded(static_cast<size_t>(width)) + kFilterBlock),
+        last_(height - 1),
+        kept_(kept),
+        is_grey_(is_grey) {
+    for (size_t plane = is_grey ? kFirstOfGrey : 0; plane < kFlipPlanes; ++plane)
+      planes_[plane].resize(stride_ * static_cast<size_t>(kept));
   }
+  bool is_grey() const { return is_grey_; }
   /// The row nearest to `y` that exists: outside, the border repeats.
   float* row(FlipPlane plane, int y) {
     return planes_[plane].data() + static_cast<size_t>(std::clamp(y, 0, last_) % kept_) * stride_;
@@ -33,11 +39,12 @@ class FilteredRows {
  private:
   size_t stride_;
   int last_, kept_;
+  bool is_grey_;
   std::array<std::vector<float>, kFlipPlanes> planes_;
 };
 
 /// Filters rows y0 <= y < y1 of a picture `width` wide.
-void filter_flip_rows(const RowSource& source, const ObserverKernels& kernels, size_t width, int y0, int y1,
+void filter_flip_rows(const FlipSource& source, const ObserverKernels& kernels, size_t width, int y0, int y1,
                       FilteredRows& out);
 
 }  // namespace umbrameter

@@ -3,6 +3,8 @@
 #include "core/error.h"
 #include "metrics/tiles.h"
 
+#include <cmath>
+
 namespace umbrameter {
 
 namespace {
@@ -96,6 +98,10 @@ std::vector<int32_t> nearest_feature(std::span<const uint8_t> is_feature, int wi
                    std::span(nearest).subspan(begin, columns));
   });
   return nearest;
+}
+
+double distance_px(int64_t i, int64_t j, int width) {
+  return std::hypot(static_cast<double>(i % width - j % width), static_cast<double>(i / width - j / width));
 }
 
 }  // namespace umbrameter

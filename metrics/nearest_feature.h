@@ -12,4 +12,7 @@ namespace umbrameter {
 /// time".
 std::vector<int32_t> nearest_feature(std::span<const uint8_t> is_feature, int width, int height);
 
+/// Between the pixels of two indices of a plane `width` px wide.
+double distance_px(int64_t i, int64_t j, int width);
+
 }  // namespace umbrameter

@@ -43,6 +43,10 @@ std::string_view name_of(ProfileOutcome outcome);
 /// disk .866 w.
 struct PenumbraProfile {
   int x = 0, y = 0;  // pixel on the ridge, visibility about .5
+  /// Its index in a plane `width` px wide.
+  size_t pixel(int width) const {
+    return static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x);
+  }
   ProfileOutcome outcome = ProfileOutcome::accepted;
   double reference_width_px =
       0.0;  // along the walk; when not measured from the slope, at most the widest measured

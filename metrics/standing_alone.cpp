@@ -31,20 +31,23 @@ constexpr std::array<Direction, 16> kDirections = {{{1, 0},
                                                     {kShort, -kLong},
                                                     {kLong, -kShort}}};
 
+// Light does come over outlines: through creases, and between hairs, where contact tells its cause.
 bool leads_to_shade(const Outskirts& field, size_t i, const Direction& direction, double reach_px,
                     float tolerance) {
-  const int x = static_cast<int>(i % static_cast<size_t>(field.width));
-  const int y = static_cast<int>(i / static_cast<size_t>(field.width));
+  const int width = field.surface.width, height = field.surface.height;
+  const int x = static_cast<int>(i % static_cast<size_t>(width));
+  const int y = static_cast<int>(i / static_cast<size_t>(width));
   const float own = field.sign * field.v[i];
+  size_t from = i;
   for (int step = 1; step <= static_cast<int>(reach_px); ++step) {
     const int to_x = x + static_cast<int>(std::lround(step * direction.x));
     const int to_y = y + static_cast<int>(std::lround(step * direction.y));
-    if (to_x < 0 || to_x >= field.width || to_y < 0 || to_y >= field.height) return false;
-    const size_t to =
-        static_cast<size_t>(to_y) * static_cast<size_t>(field.width) + static_cast<size_t>(to_x);
-    if (field.mask[to] == 0) return false;
+    if (to_x < 0 || to_x >= width || to_y < 0 || to_y >= height) return false;
+    const size_t to = static_cast<size_t>(to_y) * static_cast<size_t>(width) + static_cast<size_t>(to_x);
+    if (field.mask[to] == 0 || (field.sign > 0.0f && !same_surface(field.surface, from, to))) return false;
     if (field.sign * field.r[to] <= own + tolerance) return true;
     if (field.sign * field.v[to] > own + kRise) return false;
+    from = to;
   }
   return false;
 }

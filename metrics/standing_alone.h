@@ -1,6 +1,9 @@
 #pragma once
 // Whether a pixel's error may be a true penumbra that is wider or lies elsewhere. Such a penumbra gets no lighter towards
-// its shadow, so light between the two says no. Ours; acne and leaks beside shadows are told by it.
+// its shadow, so light between the two says no; and a shadow does not creep over an outline, so shade on another surface
+// says no, too. Ours; acne and leaks beside shadows are told by it.
+
+#include "metrics/surface.h"
 
 #include <cstdint>
 #include <span>
@@ -11,7 +14,7 @@ namespace umbrameter {
 struct Outskirts {
   std::span<const float> v, r;
   std::span<const uint8_t> mask;
-  int width = 0, height = 0;
+  SurfaceView surface;
   float sign = 1.0f;
 
   /// Whether the truth at pixel `i` is fully lit (dark) or fully shadowed (bright) up to `epsilon`.
@@ -21,7 +24,7 @@ struct Outskirts {
 };
 
 /// True when from pixel `i` no straight way of up to `reach_px` leads to a truth as dark as the pixel, `tolerance` forgiven,
-/// without the test rising on it. Linear in `reach_px`, and short where the pixel does stand alone.
+/// without the test rising on it or, for too dark ones, the surface ending. Linear in `reach_px`, and short where the pixel does stand alone.
 bool stands_alone(const Outskirts& field, size_t i, double reach_px, float tolerance);
 
 }  // namespace umbrameter

@@ -4,6 +4,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -41,6 +42,18 @@ bool same_surface(const SurfaceView& surface, size_t i, size_t j) {
   const glm::dvec3 apart = surface.p_world(j) - surface.p_world(i);
   const double limit = kSurfaceBend * glm::length(apart);
   return std::abs(glm::dot(n_i, apart)) <= limit && std::abs(glm::dot(n_j, apart)) <= limit;
+}
+
+double pixel_extent_world(const SurfaceView& surface, size_t i) {
+  const size_t columns = static_cast<size_t>(surface.width);
+  double extent = 0.0;
+  if (i % columns > 0 && same_surface(surface, i, i - 1)) {
+    extent = glm::length(surface.p_world(i) - surface.p_world(i - 1));
+  }
+  if (i >= columns && same_surface(surface, i, i - columns)) {
+    extent = std::max(extent, glm::length(surface.p_world(i) - surface.p_world(i - columns)));
+  }
+  return extent;
 }
 
 }  // namespace umbrameter

@@ -30,6 +30,10 @@ SurfaceView checked_surface(const Image& image);
 /// other's tangent plane, as on a tessellated curved surface but not across a crease, a step or a silhouette.
 bool same_surface(const SurfaceView& surface, size_t i, size_t j);
 
+/// How far pixel `i` reaches over its surface: to its neighbour on the left or above, whichever is further; 0 where
+/// neither is of its surface.
+double pixel_extent_world(const SurfaceView& surface, size_t i);
+
 /// Sine of the angle two neighbouring facets of one surface may differ by (20 degrees).
 inline constexpr double kSurfaceBend = 0.342;
 

@@ -7,23 +7,29 @@
 
 namespace umbrameter {
 
-/// The Nth root of x, N odd; 0 for anything up to 1e-20. Halley's method on a guess from the exponent bits:
-/// the relative error e becomes (N^2 - 1) / 12 e^3, so that 4 % is below 1e-11 after two steps.
+/// The Nth root of x, N odd; 0 for anything up to 1e-20. The inverse root y comes from a guess by the exponent's bits and
+/// two steps without divisions: with h = 1 - x y^N the root is y (1 - h)^(-1/N), a series in h. The guess is within 4 %,
+/// the first step within 1e-4, the second within rounding.
 template <int N>
 inline float root(float x) {
   constexpr float kTiny = 1e-20f;
   constexpr float kOne = 0x3f800000;  // the bits of 1.0f
+  constexpr float k1 = 1.0f / N, k2 = k1 * (N + 1) / (2 * N), k3 = k2 * (2 * N + 1) / (3 * N);
   const float safe = x > kTiny ? x : kTiny;
   const float bits = static_cast<float>(std::bit_cast<int32_t>(safe));
   // The bits are linear in the logarithm to 0.0861 octaves (largest log2(1 + f) - f); halve that.
-  float r = std::bit_cast<float>(
-      static_cast<int32_t>((bits - kOne) * (1.0f / N) + kOne - (1.0f - 1.0f / N) * 0.04303f * 0x800000));
-  for (int step = 0; step < 2; ++step) {
-    float power = r;
-    for (int k = 1; k < N; ++k) power *= r;
-    r *= ((N - 1) * power + (N + 1) * safe) / ((N + 1) * power + (N - 1) * safe);
-  }
-  return x > kTiny ? r : 0.0f;
+  float y = std::bit_cast<float>(
+      static_cast<int32_t>((kOne - bits) * k1 + kOne - (1.0f + k1) * 0.04303f * 0x800000));
+  const auto remainder = [safe](float inverse) {
+    float power = safe * inverse;
+    for (int k = 1; k < N; ++k) power *= inverse;
+    return 1.0f - power;
+  };
+  const float first = remainder(y);
+  y *= 1.0f + first * (k1 + first * (k2 + first * k3));
+  const float second = remainder(y);
+  y *= 1.0f + second * (k1 + second * k2);
+  return x > kTiny ? 1.0f / y : 0.0f;
 }
 
 /// log2 of a normal x > 0: exponent, and for the mantissa m in [sqrt(1/2), sqrt(2)) the series of

@@ -25,8 +25,7 @@ std::optional<Spread> offset_texels(const PenumbraError& penumbra, const Image& 
   const TexelView texels = checked_texels(test, mask);
   std::vector<double> offsets;
   for (const PenumbraProfile& profile : penumbra.profiles) {
-    const size_t i =
-        static_cast<size_t>(profile.y) * static_cast<size_t>(test.width) + static_cast<size_t>(profile.x);
+    const size_t i = profile.pixel(test.width);
     if (profile.outcome == ProfileOutcome::accepted && texels.known(i))
       offsets.push_back(profile.offset_world / static_cast<double>(texels.width_world[i]));
   }

@@ -84,6 +84,11 @@ std::optional<double> penumbra_share(const GateRun& run) {
   return *fault_share(run, FaultClass::penumbra) + *fault_share(run, FaultClass::overlap);
 }
 
+double shrunk(const GateRun& run, const GateRun& baseline, FaultClass fault) {
+  if (!run.diagnosis || !baseline.diagnosis) return 0.0;
+  return std::max(0.0, *fault_share(baseline, fault) - *fault_share(run, fault));
+}
+
 // What a finer map no longer excuses: error that was there before, as long as the total has not grown.
 double moved_from_resolution(const GateRun& run, const GateRun& baseline) {
   if (!run.diagnosis || !baseline.diagnosis) return 0.0;
@@ -93,9 +98,7 @@ double moved_from_resolution(const GateRun& run, const GateRun& baseline) {
       sum += r.diagnosis->faults.by_class[k].mean_abs_error;
     return sum;
   };
-  if (total(run) > total(baseline)) return 0.0;
-  return std::max(0.0,
-                  *fault_share(baseline, FaultClass::resolution) - *fault_share(run, FaultClass::resolution));
+  return total(run) > total(baseline) ? 0.0 : shrunk(run, baseline, FaultClass::resolution);
 }
 
 GateMeasure measure(GateClass kind, const std::optional<double>& value, const std::optional<double>& baseline,
@@ -178,7 +181,10 @@ GateVerdict judge_gate(const GateRun& run, const GateRun* baseline, bool worse, 
         kind, [fault = fault](const GateRun& r) { return fault_share(r, fault); },
         is_resolution ? limits.resolution : limits.fault, is_resolution ? 0.0 : moved);
   }
-  add(GateClass::softness, penumbra_share, limits.fault, moved);
+  // The envelope's edge takes a shape whole or leaves it: what was explained before is no new error of penumbrae.
+  const double named =
+      baseline != nullptr ? std::max(moved, shrunk(run, *baseline, FaultClass::explained)) : 0.0;
+  add(GateClass::softness, penumbra_share, limits.fault, named);
   add(GateClass::softness, width, limits.softness, doubt(run, baseline, &PenumbraNumbers::width_octaves));
   add(GateClass::hardening, hardening, limits.hardening);
   add(GateClass::offset, offset, limits.offset, doubt(run, baseline, &PenumbraNumbers::offset_widths));

@@ -9,24 +9,13 @@
 namespace umbrameter {
 namespace {
 
-size_t index_of(const PenumbraProfile& profile, const Image& image) {
-  return static_cast<size_t>(profile.y) * static_cast<size_t>(image.width) + static_cast<size_t>(profile.x);
-}
-
-double distance_px(size_t i, size_t j, const Image& image) {
-  const auto columns = static_cast<int64_t>(image.width), a = static_cast<int64_t>(i),
-             b = static_cast<int64_t>(j);
-  return std::hypot(static_cast<double>(a % columns - b % columns),
-                    static_cast<double>(a / columns - b / columns));
-}
-
 void add_width_maps(std::span<const PenumbraProfile> profiles, std::span<const uint8_t> mask, Image& maps) {
   std::vector<uint8_t> is_ridge(maps.pixel_count(), 0);
   std::vector<const PenumbraProfile*> at(maps.pixel_count(), nullptr);
   for (const PenumbraProfile& profile : profiles) {
     if (profile.outcome != ProfileOutcome::accepted) continue;
-    is_ridge[index_of(profile, maps)] = 1;
-    at[index_of(profile, maps)] = &profile;
+    is_ridge[profile.pixel(maps.width)] = 1;
+    at[profile.pixel(maps.width)] = &profile;
   }
   const std::vector<int32_t> nearest = nearest_feature(is_ridge, maps.width, maps.height);
   for (const char* name : {"width_octaves", "offset_world", "width_known"}) maps.add_plane(name);
@@ -34,9 +23,8 @@ void add_width_maps(std::span<const PenumbraProfile> profiles, std::span<const u
                          known = maps.plane("width_known");
   for (size_t i = 0; i < nearest.size(); ++i) {
     if (mask[i] == 0 || nearest[i] < 0) continue;
-    const size_t ridge = static_cast<size_t>(nearest[i]);
-    const PenumbraProfile& profile = *at[ridge];
-    if (distance_px(i, ridge, maps) > profile.reference_width_px) continue;
+    const PenumbraProfile& profile = *at[static_cast<size_t>(nearest[i])];
+    if (distance_px(static_cast<int64_t>(i), nearest[i], maps.width) > profile.reference_width_px) continue;
     octaves[i] = static_cast<float>(std::log2(profile.test_width_world / profile.reference_width_world));
     offset[i] = static_cast<float>(profile.offset_world);
     known[i] = 1.0f;

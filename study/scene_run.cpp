@@ -188,14 +188,15 @@ void compare_renderers(const SceneContext& context, const Image& surfaces, const
 
 namespace {
 
-void score_technique(const SceneContext& context, const Image& reference, TechniqueFrame& run) {
+void score_technique(const SceneContext& context, const Image& reference, TechniqueFrame& run,
+                     SharedTruth& shared) {
   TechniqueResult& result = run.result;
   const Image& image = run.frame.image;
   const std::string stem = file_name_of(result.label);
   Score score;
   result.failure = guarded([&] {
     score = score_image(image, reference, context.scene.camera.eye_world,
-                        {context.plan.metrics, context.plan.limit_rmse, context.plan.maps});
+                        {context.plan.metrics, context.plan.limit_rmse, context.plan.maps}, &shared);
   });
   if (result.failure) return;
   result.picture_file = context.relative(stem + ".png");
@@ -266,6 +267,7 @@ const TechniqueFrame* twin_of(const ValidationPlan& plan, const TechniqueFrame& 
 }  // namespace
 
 void score_techniques(const SceneContext& context, const Image& reference, std::span<TechniqueFrame> runs) {
+  SharedTruth shared;
   for (size_t i = 0; i < runs.size(); ++i) {
     TechniqueFrame& run = runs[i];
     if (run.result.is_reused || run.result.failure) continue;
@@ -274,7 +276,7 @@ void score_techniques(const SceneContext& context, const Image& reference, std::
     if (twin != nullptr) {
       take_scores(context, *twin, run);
     } else {
-      score_technique(context, reference, run);
+      score_technique(context, reference, run, shared);
     }
     run.scoring_s = seconds_since(start);
   }

@@ -36,6 +36,13 @@ std::string visibility_channel(const Image& image, const std::string& file) {
              "name the channel 'visibility', or give a grey image");
 }
 
+const SimilarityReference& similarity_reference(const Image& reference, std::span<const uint8_t> mask,
+                                                SharedTruth& shared) {
+  if (!shared.similarity || !std::ranges::equal(shared.similarity->mask(), mask))
+    shared.similarity.emplace(reference, mask);
+  return *shared.similarity;
+}
+
 }  // namespace
 
 Image with_visibility(Image image, const std::string& file) {
@@ -68,8 +75,10 @@ glm::dvec3 eye_of(const Image& reference, const std::string& file) {
 }
 
 Score score_image(const Image& test, const Image& reference, const glm::dvec3& eye_world,
-                  const ScoreSettings& settings) {
+                  const ScoreSettings& settings, SharedTruth* shared) {
   Score score;
+  SharedTruth own;
+  SharedTruth& truth = shared != nullptr ? *shared : own;
   score.has_surfaces = has_surfaces(test);
   const double eye[3] = {eye_world.x, eye_world.y, eye_world.z};
   score.parity = compare_surfaces(score.has_surfaces ? test : reference, reference, eye);
@@ -86,7 +95,8 @@ Score score_image(const Image& test, const Image& reference, const glm::dvec3& e
   if (settings.limit_rmse) {
     score.judgement.limit = judge_against(*settings.limit_rmse, *score.error, reference, score.mask);
   }
-  if (settings.metrics.similarity) score.similarity = measure_similarity(test, reference, score.mask, maps);
+  if (settings.metrics.similarity)
+    score.similarity = similarity_reference(reference, score.mask, truth).measure(test, maps);
   if (!settings.metrics.diagnosis) return score;
   score.no_diagnosis = guarded([&] {
     DiagnosedImage diagnosed = diagnose(test, reference, score.mask);

@@ -37,6 +37,11 @@ struct ScoreSettings {
   bool maps = false;  // of the metrics that are asked for
 };
 
+/// What the scores of one reference share, kept from one to the next; made anew where the mask is another.
+struct SharedTruth {
+  std::optional<SimilarityReference> similarity;
+};
+
 /// The image with its visibility under that name. Accepts `visibility`, `Y`, a single channel of any name, or
 /// R of an image whose R, G and B are equal; Error{input} naming `file` and its channels otherwise.
 Image with_visibility(Image image, const std::string& file);
@@ -47,9 +52,9 @@ bool has_surfaces(const Image& image);
 /// Eye position that add_metadata stored; Error{input} when it is missing or malformed.
 glm::dvec3 eye_of(const Image& reference, const std::string& file);
 
-/// Scores `test` (see with_visibility) where its surfaces agree with the reference's. Error{input} for size
-/// mismatch, missing reference channels, NaN and values outside [0,1].
+/// Scores `test` (see with_visibility) where its surfaces agree with the reference's; `shared`, if given, is of this
+/// reference. Error{input} for size mismatch, missing reference channels, NaN and values outside [0,1].
 Score score_image(const Image& test, const Image& reference, const glm::dvec3& eye_world,
-                  const ScoreSettings& settings = {});
+                  const ScoreSettings& settings = {}, SharedTruth* shared = nullptr);
 
 }  // namespace umbrameter

@@ -54,9 +54,11 @@ std::string fault_matrix(const SelftestResults& results) {
   return text;
 }
 
-std::string benign_matrix(const SelftestResults& results) {
+// A row a scene, a column a name, in the order they come in; `text_of` an outcome, empty where there is none.
+template <class Outcome, class TextOf>
+std::string by_scene(const std::vector<Outcome>& outcomes, const TextOf& text_of) {
   std::vector<std::string> names, scenes;
-  for (const BenignOutcome& o : results.benign) {
+  for (const Outcome& o : outcomes) {
     if (std::ranges::find(names, o.name) == names.end()) names.push_back(o.name);
     if (std::ranges::find(scenes, o.scene) == scenes.end()) scenes.push_back(o.scene);
   }
@@ -67,13 +69,19 @@ std::string benign_matrix(const SelftestResults& results) {
     text += fmt::format("| {} |", scene);
     for (const std::string& name : names) {
       const auto found = std::ranges::find_if(
-          results.benign, [&](const BenignOutcome& o) { return o.name == name && o.scene == scene; });
-      text += found->verdict.passes() ? fmt::format(" {:.2f} |", worst_severity(found->verdict))
-                                      : fmt::format(" **{}** |", kind_text(found->verdict));
+          outcomes, [&](const Outcome& o) { return o.name == name && o.scene == scene; });
+      text += fmt::format(" {} |", found == outcomes.end() ? "" : text_of(*found));
     }
     text += "\n";
   }
   return text;
+}
+
+std::string benign_matrix(const SelftestResults& results) {
+  return by_scene(results.benign, [](const BenignOutcome& o) {
+    return o.verdict.passes() ? fmt::format("{:.2f}", worst_severity(o.verdict))
+                              : fmt::format("**{}**", kind_text(o.verdict));
+  });
 }
 
 std::string ratio_text(const std::optional<double>& ratio) {
@@ -91,6 +99,11 @@ std::string mask_table(const SelftestResults& results) {
   return text;
 }
 
+// What one scene says alone; the target is of all together.
+std::string recall_by_scene(const SelftestResults& results) {
+  return by_scene(results.masks, [](const MaskOutcome& mask) { return ratio_text(mask.recall()); });
+}
+
 OrderedJson verdict_json(const GateVerdict& verdict) {
   OrderedJson measures = OrderedJson::array();
   for (const GateMeasure& m : verdict.measures) {
@@ -105,8 +118,8 @@ OrderedJson verdict_json(const GateVerdict& verdict) {
 }  // namespace
 
 std::string selftest_markdown(const SelftestResults& results) {
-  std::string text =
-      fault_matrix(results) + "\n" + benign_matrix(results) + "\n" + mask_table(results) + "\n";
+  std::string text = results.faults.empty() ? "" : fault_matrix(results) + "\n";
+  text += benign_matrix(results) + "\n" + mask_table(results) + "\n" + recall_by_scene(results) + "\n";
   text += fmt::format(
       "found {} of {} faults, {} of the right class; {} false alarms in {} trials over {} scenes: {}\n",
       results.found(), results.faults.size(), results.right(), results.false_alarms(), results.benign.size(),

@@ -2,6 +2,7 @@
 
 #include "core/sampling/sobol.h"
 #include "metrics/nearest_feature.h"
+#include "metrics/surface.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,28 +27,18 @@ struct Reader {
         r(canvas.truth.plane("visibility")),
         blocker(canvas.truth.plane("blocker_distance_min")),
         layers(canvas.truth.plane("blocker_layers")),
-        primitive(canvas.truth.plane("primitive_id")),
-        x(canvas.truth.plane("position.x")),
-        y(canvas.truth.plane("position.y")),
-        z(canvas.truth.plane("position.z")) {}
+        surface(checked_surface(canvas.truth)) {}
 
-  double pixel_world(size_t i) const {
-    double extent = 0.0;
-    if (i % width > 0) extent = distance(i, i - 1);
-    return i >= width ? std::max(extent, distance(i, i - width)) : extent;
-  }
   bool lit(size_t i) const { return mask[i] != 0 && r[i] > kLit; }
   bool umbra(size_t i) const { return mask[i] != 0 && r[i] < kUmbra; }
-  bool blocked_from_far(size_t i) const { return umbra(i) && blocker[i] > kFarBlocker_px * pixel_world(i); }
+  bool blocked_from_far(size_t i) const {
+    return umbra(i) && blocker[i] > kFarBlocker_px * pixel_extent_world(surface, i);
+  }
 
   size_t width;
   std::span<const uint8_t> mask;
-  std::span<const float> r, blocker, layers, primitive, x, y, z;
-
- private:
-  double distance(size_t i, size_t j) const {
-    return primitive[i] == primitive[j] ? std::hypot(x[i] - x[j], y[i] - y[j], z[i] - z[j]) : 0.0;
-  }
+  std::span<const float> r, blocker, layers;
+  SurfaceView surface;
 };
 
 // paint(v, i) gives the new visibility of pixels where `where` holds.
@@ -61,11 +52,6 @@ Injected painted(const Canvas& canvas, const Where& where, const Paint& paint) {
     out.pixels[i] = 1;
   }
   return out;
-}
-
-double distance_px(size_t i, size_t j, size_t width) {
-  return std::hypot(static_cast<double>(i % width) - static_cast<double>(j % width),
-                    static_cast<double>(i / width) - static_cast<double>(j / width));
 }
 
 float full_light(float, size_t) {
@@ -124,7 +110,7 @@ std::vector<uint8_t> open_ground(const Reader& reader, const Image& truth) {
   const std::vector<int32_t> nearest = nearest_feature(shaded, truth.width, truth.height);
   for (size_t i = 0; i < open.size(); ++i) {
     const bool is_far =
-        nearest[i] < 0 || distance_px(i, static_cast<size_t>(nearest[i]), reader.width) >= kOpen_px;
+        nearest[i] < 0 || distance_px(static_cast<int64_t>(i), nearest[i], truth.width) >= kOpen_px;
     open[i] = reader.lit(i) && is_far ? 1 : 0;
   }
   return open;
@@ -181,7 +167,7 @@ Injected contact_gap(const Canvas& canvas) {
       canvas,
       [&](size_t i) {
         return reader.r[i] < 0.5f && reader.blocker[i] > 0.0f &&
-               reader.blocker[i] < kGap_px * reader.pixel_world(i);
+               reader.blocker[i] < kGap_px * pixel_extent_world(reader.surface, i);
       },
       full_light);
 }

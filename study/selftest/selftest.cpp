@@ -130,7 +130,7 @@ SelftestResults run_selftest(std::span<const SceneJob> jobs, const SelftestSetti
                              SelftestRenderers renderers, Progress& progress) {
   const std::vector<FaultCase> faults = settings.benign_only ? std::vector<FaultCase>() : fault_list();
   const std::vector<BenignVariant> variants = benign_list();
-  const std::vector<MaskCase> masks = settings.benign_only ? std::vector<MaskCase>() : mask_list();
+  const std::vector<MaskCase> masks = mask_list();
   SelftestResults results;
   std::vector<std::optional<FaultOutcome>> outcomes(faults.size());
   progress.begin("selftest", jobs.size());

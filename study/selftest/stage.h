@@ -21,7 +21,7 @@ struct SelftestRenderers {
 struct SelftestSettings {
   int width_px = 320;
   int height_px = 180;
-  bool benign_only = false;                                 // neither faults nor masks
+  bool benign_only = false;                                 // and masks, but no faults
   std::filesystem::path techniques_folder, shaders_folder;  // to make mutants from
   std::filesystem::path scratch_folder;                     // where mutants go
   std::filesystem::path pictures_folder;                    // of what was judged; empty: none are kept

@@ -21,6 +21,7 @@ namespace {
 struct Truth {
   std::optional<size_t> scene;  // index; absent: none yet
   std::optional<Image> image;   // absent: it failed
+  SharedTruth shared;           // between its runs
 };
 
 /// The picture that verdicts are against.
@@ -95,7 +96,7 @@ void render_truth(Context& context, const PlanStep& step) {
 /// From the store if it may and can, else rendered.
 void require_truth(Context& context, size_t scene, const std::string& key) {
   if (context.truth.scene == scene) return;
-  context.truth = {scene, std::nullopt};
+  context.truth = {scene, std::nullopt, {}};
   if (context.plan.reuse) {
     const auto json = context.store.find(key);
     const auto record = json ? parse_reference_record(*json) : std::nullopt;
@@ -153,7 +154,8 @@ void render_run(Context& context, const PlanStep& step, const std::string& refer
   const Clock::time_point start = Clock::now();
   if (!result.failure) {
     result.failure = guarded([&] {
-      Score score = score_image(frame.image, *context.truth.image, job.scene.camera.eye_world, {metrics, {}});
+      Score score = score_image(frame.image, *context.truth.image, job.scene.camera.eye_world, {metrics, {}},
+                                &context.truth.shared);
       take_score(score, record);
       picture = {picture_to_store(frame.image, score.mask), std::move(score.mask)};
     });

@@ -42,8 +42,7 @@ Edge measure_edge(const Frame& frame, const LiesOn& lies_on) {
   const std::vector<uint8_t> everywhere(image.pixel_count(), 1);
   std::vector<double> widths, widths_10_90;
   for (const PenumbraProfile& profile : measure_penumbra(image, image, everywhere).profiles) {
-    const size_t i =
-        static_cast<size_t>(profile.y) * static_cast<size_t>(image.width) + static_cast<size_t>(profile.x);
+    const size_t i = profile.pixel(image.width);
     if (profile.outcome != ProfileOutcome::accepted || profile.reference_width_px < kEnough_px) continue;
     if (!lies_on(image.plane("position.x")[i], image.plane("position.z")[i])) continue;
     widths.push_back(profile.reference_width_world);

@@ -108,6 +108,38 @@ TEST(Flip, FinerDetailIsSeenLessFromFurther) {
   EXPECT_LT(measure_flip(a, b, kRgb, {120.0})->mean, 0.5 * measure_flip(a, b, kRgb, {20.0})->mean);
 }
 
+Image noise(int width, int height, uint64_t seed, bool is_grey) {
+  std::mt19937_64 random(seed);
+  Image image = uniform(width, height, 0, 0, 0);
+  for (size_t i = 0; i < image.pixel_count(); ++i) {
+    const float first = static_cast<float>(random() % 256) / 255.0f;
+    image.plane("r")[i] = first;
+    for (const char* other : {"g", "b"})
+      image.plane(other)[i] = is_grey ? first : static_cast<float>(random() % 256) / 255.0f;
+  }
+  return image;
+}
+
+TEST(Flip, OfGreyIsThatOfThreeEqualChannels) {
+  const Image a = noise(150, 90, 1, true), b = noise(150, 90, 2, true);
+  const auto color = measure_flip(a, b, kRgb), grey = measure_flip(a, b, {"g", "g", "g"});
+  for (size_t i = 0; i < color->map.size(); ++i) ASSERT_NEAR(grey->map[i], color->map[i], 1e-5f) << i;
+  const auto hdr_color = measure_hdr_flip(a, b, kRgb), hdr_grey = measure_hdr_flip(a, b, {"g", "g", "g"});
+  for (size_t i = 0; i < color->map.size(); ++i) ASSERT_NEAR(hdr_grey->map[i], hdr_color->map[i], 1e-5f) << i;
+}
+
+TEST(Flip, AReferenceServesManyTests) {
+  const Image truth = noise(150, 90, 1, false);
+  const FlipReference reference(truth, kRgb);
+  const HdrFlipReference hdr_reference(truth, kRgb);
+  for (const uint64_t seed : {2u, 3u}) {
+    const Image test = noise(150, 90, seed, false);
+    EXPECT_EQ(reference.measure(test)->map, measure_flip(test, truth, kRgb)->map);
+    EXPECT_EQ(hdr_reference.measure(test)->map, measure_hdr_flip(test, truth, kRgb)->map);
+  }
+  EXPECT_THROW(reference.measure(noise(90, 150, 2, false)), Error);
+}
+
 TEST(Flip, RejectsValuesTheDisplayHasNot) {
   Image bad = uniform(8, 8, 0.5f, 0.5f, 0.5f);
   bad.plane("g")[9] = 1.5f;

@@ -33,7 +33,8 @@ bool alone_in_row(const V& v, const R& r, size_t at, double reach_px, float sign
     truth.push_back(r(x));
   }
   const std::vector<uint8_t> mask(64, 1);
-  return stands_alone({test, truth, mask, 64, 1, sign}, at, reach_px, 0.02f);
+  const Image floor = testing::floor_from_above(64, 1, kFloorPixel);
+  return stands_alone({test, truth, mask, checked_surface(floor), sign}, at, reach_px, 0.02f);
 }
 
 float ramp(size_t x, float from, float to) {
@@ -67,11 +68,28 @@ TEST(StandingAlone, EndsAtTheMaskAndAtTheReach) {
   std::vector<float> test(64, 0.5f), truth(64, 1.0f);
   truth[0] = 0.0f;
   std::vector<uint8_t> mask(64, 1);
-  const Outskirts row = {test, truth, mask, 64, 1, 1.0f};
+  const Image floor = testing::floor_from_above(64, 1, kFloorPixel);
+  const Outskirts row = {test, truth, mask, checked_surface(floor), 1.0f};
   EXPECT_FALSE(stands_alone(row, 10, 10.0, 0.02f));
   EXPECT_TRUE(stands_alone(row, 10, 9.0, 0.02f));
   mask[5] = 0;
   EXPECT_TRUE(stands_alone(row, 10, 10.0, 0.02f));
+}
+
+TEST(StandingAlone, NoShadowCreepsOverAnOutlineButLightMay) {
+  // A step from pixel 20 on: shadow below, light above.
+  Image step = testing::floor_from_above(64, 1, kFloorPixel);
+  std::vector<float> test(64, 0.5f), truth(64, 1.0f);
+  for (size_t x = 0; x < 20; ++x) {
+    step.plane("position.y")[x] = -1.0f;
+    step.plane("primitive_id")[x] = 1.0f;
+    truth[x] = 0.0f;
+  }
+  const std::vector<uint8_t> mask(64, 1);
+  EXPECT_TRUE(stands_alone({test, truth, mask, checked_surface(step), 1.0f}, 22, 10.0, 0.02f));
+  EXPECT_FALSE(stands_alone({test, truth, mask, checked_surface(step), -1.0f}, 17, 10.0, 0.02f));
+  for (size_t x = 0; x < 20; ++x) step.plane("position.y")[x] = 0.0f;
+  EXPECT_FALSE(stands_alone({test, truth, mask, checked_surface(step), 1.0f}, 22, 10.0, 0.02f));
 }
 
 TEST(FaultsBesideAShadow, SpecklesAndStripesAreAcne) {

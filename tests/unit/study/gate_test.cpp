@@ -115,6 +115,22 @@ TEST(Gate, WhatVoidsARunIsSaidFirst) {
   EXPECT_TRUE(verdict.measures.empty());
 }
 
+TEST(Gate, WhatTheEnvelopeNoLongerExcusesIsNoNewSoftness) {
+  const GateRun baseline = with_share(FaultClass::explained, 2e-3);
+  GateRun run = with_share(FaultClass::explained, 1e-3);
+  const auto set = [&](FaultClass fault, double share) {
+    run.diagnosis->faults.by_class[static_cast<size_t>(fault)].mean_abs_error = share;
+  };
+  set(FaultClass::overlap, 1.1e-3);
+  EXPECT_TRUE(judge_gate(run, &baseline, false).passes());
+  set(FaultClass::overlap, 1.3e-3);
+  EXPECT_EQ(judge_gate(run, &baseline, false).kind, GateClass::softness);
+  // Nor does it excuse anything else.
+  set(FaultClass::overlap, 0.0);
+  set(FaultClass::acne, 3e-4);
+  EXPECT_EQ(judge_gate(run, &baseline, false).kind, GateClass::acne);
+}
+
 TEST(Gate, WhatAFinerMapNoLongerExcusesIsNoNewFault) {
   GateRun baseline = with_share(FaultClass::resolution, 2e-3);
   GateRun run = with_share(FaultClass::resolution, 1e-3);

@@ -37,6 +37,20 @@ TEST(Similarity, OfEqualPicturesIsPerfect) {
   EXPECT_NEAR(same.pixels_per_degree, 67.0206, 1e-4);
 }
 
+TEST(Similarity, OfManyTestsIsThatOfEach) {
+  const Image truth = floor(0.2);
+  std::vector<uint8_t> mask = everywhere(truth);
+  mask[5] = 0;
+  const SimilarityReference reference(truth, mask);
+  for (const double width : {0.3, 0.4}) {
+    const Similarity one = measure_similarity(floor(width), truth, mask),
+                     of_many = reference.measure(floor(width));
+    EXPECT_EQ(of_many.flip_mean, one.flip_mean);
+    EXPECT_EQ(of_many.hdr_flip_mean, one.hdr_flip_mean);
+    EXPECT_EQ(of_many.ssim, one.ssim);
+  }
+}
+
 TEST(Similarity, IsOfVisibilityTimesTheTruthsIrradiance) {
   const Image reference = floor(0.2);
   Image test = floor(0.4);
