@@ -51,10 +51,9 @@ Scene load_bench_scene(const std::string& path) {
   return load_scene(source + path, search);
 }
 
-/// The least time of three pictures, which are the same.
+/// The least time of `runs` pictures, which are the same.
 Rendered render(const Scene& scene, const Picture& picture, int samples, std::optional<double> target_se,
-                uint64_t seed = 1) {
-  constexpr int kRuns = 3;
+                int runs = 3, uint64_t seed = 1) {
   SilentProgress progress;
   const auto renderer = make_reference_renderer({samples, target_se, picture.threads, true, false});
   RenderRequest request;
@@ -64,7 +63,7 @@ Rendered render(const Scene& scene, const Picture& picture, int samples, std::op
   request.width_px = picture.width_px;
   request.height_px = picture.height_px;
   Rendered rendered;
-  for (int i = 0; i < kRuns; ++i) {
+  for (int i = 0; i < runs; ++i) {
     const double before_s = process_cpu_seconds();
     rendered.frame = renderer->render(scene, request, progress);
     const double cpu_s = process_cpu_seconds() - before_s;
@@ -142,7 +141,7 @@ void cube(const Picture& picture) {
 
 void bunny(const Picture& picture) {
   const Scene scene = load_bench_scene("/bench/bunny_close.toml");
-  const Rendered truth = render(scene, picture, kManySamples, 0.002, 2);
+  const Rendered truth = render(scene, picture, kManySamples, 0.002, 1, 2);
   print_head();
   for (const double target : {0.05, 0.03, 0.02, 0.01, 0.005}) {
     print(scene, "target_se", target, render(scene, picture, kManySamples, target),
@@ -153,7 +152,7 @@ void bunny(const Picture& picture) {
 void share(const Picture& picture) {
   constexpr int kFew = 256, kMany = 1024;
   const Scene scene = load_bench_scene("/scenes/library/assets/bunny.toml");
-  const Rendered truth = render(scene, picture, kManySamples, 0.001, 2);
+  const Rendered truth = render(scene, picture, kManySamples, 0.001, 1, 2);
   const Judge judge = judge_by(truth.frame.image);
   print_head();
   const TruthPoint adaptive =

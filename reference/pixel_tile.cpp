@@ -23,9 +23,12 @@ struct Tile {
   }
 };
 
+/// In closed form where a rule of few points fails: near the light, and where the horizon cuts it and the form is exact.
 double irradiance_at(const Light& light, const Receiver& receiver, const LightPatch& patch) {
-  if (!is_near_light(light, receiver.p_world)) return unshadowed_irradiance(patch);
-  return near_irradiance(light, receiver.p_world, receiver.n_shading_world);
+  const bool is_exact = light.type == LightType::rect || light.type == LightType::sphere;
+  const bool is_hard = is_near_light(light, receiver.p_world) || (is_exact && straddles_horizon(patch));
+  return is_hard ? near_irradiance(light, receiver.p_world, receiver.n_shading_world)
+                 : unshadowed_irradiance(patch);
 }
 
 /// Writes what is known without sampling.

@@ -29,9 +29,8 @@ struct ReferenceSettings {
 //       Geometric visibility: the mean over all samples, and over one half of the replicates each. A sample below
 //       the receiver's geometric plane or behind a one-sided light is not seen.
 //   visibility_se
-//       Standard error of visibility from the spread of the replicates, never below 1 / samples: replicates that all
-//       count the same do not say how near the next count is. Where all samples agree 0.5 / samples: they can still miss an
-//       occluder. 0 only where visibility is proven (reference/light_proof.h).
+//       Standard error of visibility from the spread of the replicates, never below 0.5 / samples: samples that all
+//       agree can still miss an occluder. 0 only where visibility is proven (reference/light_proof.h).
 //   irradiance_ratio
 //       S = sum(w v) / sum(w), w = cosine (shading normal) x cosine at the light x falloff; 0 where sum(w) is 0.
 //   unshadowed_irradiance

@@ -99,11 +99,9 @@ double mean_of(const PixelSums& sums, size_t replicate) {
   return static_cast<double>(sums.replicates[replicate].seen) / sums.points;
 }
 
-/// Samples that all agree do not prove certainty: an occluder thinner than a stratum can hide from them. Nor do replicates
-/// that all count the same: the truth lies somewhere between that count and the next, as if one of them had it.
-double least_error(double visibility, uint32_t samples) {
-  const bool all_agree = visibility <= 0.0 || visibility >= 1.0;
-  return (all_agree ? 0.5 : 1.0) / samples;
+/// Samples that all agree do not prove certainty: an occluder thinner than a stratum can hide from them.
+double least_error(uint32_t samples) {
+  return 0.5 / samples;
 }
 
 }  // namespace
@@ -126,7 +124,7 @@ double standard_error_by(Half half, const PixelSums& sums) {
   for (size_t r = first; r < first + kHalf; ++r) mean += mean_of(sums, r) / kHalf;
   for (size_t r = first; r < first + kHalf; ++r) squares += std::pow(mean_of(sums, r) - mean, 2);
   const double spread = std::sqrt(squares / (kReplicates * (kHalf - 1)));
-  return std::max(least_error(mean, kReplicates * sums.points), spread);
+  return std::max(least_error(kReplicates * sums.points), spread);
 }
 
 PixelEstimate estimate_pixel(const PixelSums& a, const PixelSums& b) {
@@ -147,8 +145,8 @@ PixelEstimate estimate_pixel(const PixelSums& a, const PixelSums& b) {
   double squares = 0.0;
   for (const double mean : means) squares += (mean - estimate.visibility) * (mean - estimate.visibility);
   estimate.sample_count = kHalf * (a.points + b.points);
-  estimate.visibility_se = std::max(least_error(estimate.visibility, estimate.sample_count),
-                                    std::sqrt(squares / (kReplicates * (kReplicates - 1))));
+  estimate.visibility_se =
+      std::max(least_error(estimate.sample_count), std::sqrt(squares / (kReplicates * (kReplicates - 1))));
   estimate.irradiance_ratio = weight > 0.0 ? weight_seen / weight : 0.0;
   return estimate;
 }

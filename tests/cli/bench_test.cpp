@@ -36,8 +36,9 @@ TEST_F(GlBenchCommand, RunsAStudyAndWritesItsNumbers) {
   std::filesystem::create_directory(folder() / "study");
   write_scene("study/scene.toml");
   write("study/study.toml", std::string(kHead) + "scenes = [\"scene.toml\"]\nframes = 8\n" + kRuns);
-  const ProcessResult result = umbrameter({"bench", "study/study.toml", "--json", "--csv", "runs.csv",
-                                           "--best-under", "10 s", "--cheapest-below-rmse", "0.9"});
+  const ProcessResult result =
+      umbrameter({"bench", "study/study.toml", "--json", "--csv", "runs.csv", "--truth", "truth.csv",
+                  "--best-under", "10 s", "--cheapest-below-rmse", "0.9"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const Json json = Json::parse(result.out);
   const Json& scene = json["scenes"][0];
@@ -55,7 +56,12 @@ TEST_F(GlBenchCommand, RunsAStudyAndWritesItsNumbers) {
   EXPECT_FALSE(scene["cheapest_below_rmse"].empty());
   const std::string csv = read_file(folder() / "runs.csv");
   EXPECT_EQ(std::ranges::count(csv, '\n'), 1 + 3);
-  EXPECT_THAT(files(), ElementsAre("runs.csv", "study"));
+  ASSERT_EQ(scene["truth"]["points"].size(), 8u);
+  for (const char* key : {"setting", "cpu_s", "cpu_mad_s", "rays_per_pixel", "rmse", "rmse_low", "rmse_high"})
+    EXPECT_TRUE(scene["truth"]["points"][0][key].is_number()) << key;
+  EXPECT_LT(scene["truth"]["exponent"], -0.5);
+  EXPECT_EQ(std::ranges::count(read_file(folder() / "truth.csv"), '\n'), 1 + 8);
+  EXPECT_THAT(files(), ElementsAre("runs.csv", "study", "truth.csv"));
 }
 
 TEST_F(GlBenchCommand, PrintsTablesAndClaims) {
@@ -104,6 +110,7 @@ TEST_F(BenchCommand, TimesNeedUnitsAndCsvItsName) {
   expect_bad_input(umbrameter({"bench", "study.toml", "--best-under", "-1ms"}), "not a time");
   expect_bad_input(umbrameter({"bench", "study.toml", "--cheapest-below-rmse", "0"}), "not positive");
   expect_bad_input(umbrameter({"bench", "study.toml", "--csv", "runs.txt"}), "does not end in '.csv'");
+  expect_bad_input(umbrameter({"bench", "study.toml", "--truth", "truth.json"}), "does not end in '.csv'");
 }
 
 }  // namespace
