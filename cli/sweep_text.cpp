@@ -164,10 +164,10 @@ std::string outcome_text(const SweepOutcome& outcome) {
   const auto count = [&](Comparison verdict) {
     return outcome.verdicts.contains(verdict) ? outcome.verdicts.at(verdict) : 0;
   };
-  return text + fmt::format(
-                    "\nagainst each scene's first run: {} better, {} worse, {} the same, {} undecided\n",
-                    count(Comparison::better), count(Comparison::worse), count(Comparison::same),
-                    count(Comparison::cannot_tell));
+  return text +
+         fmt::format("\nagainst each scene's first run: {} better, {} worse, {} the same, {} undecided\n",
+                     count(Comparison::better), count(Comparison::worse), count(Comparison::same),
+                     count(Comparison::cannot_tell));
 }
 
 Json outcome_json(const SweepOutcome& outcome) {

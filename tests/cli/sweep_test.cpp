@@ -47,7 +47,8 @@ class SweepCommand : public CliTest {
     Json runs = json({"export", store})["runs"];
     for (Json& run : runs) {
       for (const char* time : {"started", "duration_s"}) run.erase(time);
-      run["result"].erase("wall_time_s");
+      for (const char* time : {"wall_time_s", "pass_times"}) run["result"].erase(time);
+      run.erase("baseline_times");
     }
     return runs;
   }
@@ -120,6 +121,33 @@ TEST_F(GlSweepCommand, PartsMergedAreTheWhole) {
   EXPECT_TRUE(numbers("c") == numbers("whole"));
   EXPECT_EQ(objects("c"), objects("whole"));
   EXPECT_EQ(json({"sweep", "study.toml", "--out", "c"})["rendered"], 0);
+}
+
+TEST_F(GlSweepCommand, CamerasTimesAndVerdictsSurviveTheSplit) {
+  write_scene("scene.toml");
+  write("study.toml",
+        "schema = 1\ntitle = \"Tiny\"\nscenes = [\"scene.toml\"]\nwidth_px = 64\nheight_px = 36\nframes = 7\n"
+        "samples_per_pixel = 64\n[[camera]]\nname = \"own\"\n[[camera]]\nname = \"side\"\norbit_deg = 15\n"
+        "[[run]]\ntechnique = \"hard\"\n[run.values]\nmap_size = 64\n"
+        "[[run]]\ntechnique = \"pcf\"\n[run.values]\nmap_size = 64\n");
+  const Json whole = json({"sweep", "study.toml", "--out", "whole", "--time"});
+  EXPECT_EQ(whole["rendered"], 4);
+  const Json& verdicts = whole["verdicts"];
+  EXPECT_EQ(verdicts["better"].get<int>() + verdicts["worse"].get<int>() + verdicts["same"].get<int>() +
+                verdicts["cannot_tell"].get<int>(),
+            2);
+  // The second part begins with a run whose baseline is in the first.
+  for (const char* part : {"1/4", "2/4", "3/4", "4/4"})
+    json({"sweep", "study.toml", "--out", std::string("part") + part[0], "--time", "--shard", part});
+  json({"merge", "part1", "part2", "part3", "part4", "--out", "merged"});
+  EXPECT_TRUE(numbers("merged") == numbers("whole"));
+  const Json run = json({"export", "merged"})["runs"][3];
+  EXPECT_EQ(run["camera"], "side");
+  EXPECT_EQ(run["result"]["verdict"]["baseline"], "hard");
+  EXPECT_EQ(run["result"]["pass_times"].back()["frames"], 7);
+  EXPECT_EQ(run["baseline_times"].back()["frames"], 7);
+  EXPECT_EQ(json({"export", "merged", "--baseline", "pcf"})["runs"][3]["result"]["verdict"], nullptr);
+  EXPECT_EQ(json({"plan", "study.toml", "--out", "merged", "--time"})["render"], 0);
 }
 
 TEST_F(GlSweepCommand, TwoAtOnceShareAStore) {

@@ -1,5 +1,6 @@
 // Without these: a scene could be drawn from the wrong place, mirrored, or with a light that looks elsewhere.
 #include "scene_text.h"
+#include "scenes/seen_from.h"
 
 #include <glm/geometric.hpp>
 
@@ -134,6 +135,17 @@ TEST(SceneValues, PartsAreNamedAndCoverTheTriangles) {
   EXPECT_EQ(scene.parts[1].triangle_count, 12u);
   EXPECT_EQ(scene.bounds_world.min, glm::dvec3(-2, 0, -2));
   EXPECT_EQ(scene.bounds_world.max, glm::dvec3(2, 1, 2));
+}
+
+TEST(SceneValues, FromElsewhereItIsTheSceneOfAFileThatSaysSo) {
+  const Scene written = SceneText{.camera = "eye = [3, 1, 0]\nat = [0, 0, 0]\nfov_deg = 30"}.parse();
+  Camera camera = written.camera;
+  camera.near_world = 0.0;  // derived anew
+  const Scene moved = seen_from(SceneText{}.parse(), camera);
+  EXPECT_EQ(moved.hash, written.hash);
+  EXPECT_EQ(moved.camera.near_world, written.camera.near_world);
+  const Scene own = SceneText{}.parse();
+  EXPECT_EQ(seen_from(own, own.camera).hash, own.hash);
 }
 
 TEST(SceneValues, HashChangesWithThePictureOnly) {
