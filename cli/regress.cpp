@@ -257,9 +257,8 @@ void add_regress(CLI::App& app, CommandLine& line) {
   check_part->add_flag("--update", options->update,
                        "take what has changed into the baseline; needs --reason");
   check_part->add_option("--reason", options->reason, "why it may change; kept in the baseline");
-  CLI::App* prove_part =
-      add_part(*verb, line, options, "prove",
-               "record and check the selftest's faults: each must be found", prove);
+  CLI::App* prove_part = add_part(*verb, line, options, "prove",
+                                  "record and check the selftest's faults: each must be found", prove);
   prove_part->add_option("--scene", options->proof_scenes, "only this scene's faults; repeatable")
       ->allow_extra_args(false);
 }

@@ -25,9 +25,11 @@ std::string names(const Json& labels) {
 std::string answers(const Json& scene, const Json& study) {
   std::string text;
   if (!scene.at("recommended").is_null())
-    text += fmt::format("Recommended, by the least product of time and RMSE: {}. ", text_of(scene, "recommended"));
+    text += fmt::format("Recommended, by the least product of time and RMSE: {}. ",
+                        text_of(scene, "recommended"));
   if (scene.contains("best_under"))
-    text += fmt::format("Best under {:g} ms: {}. ", study.at("best_under_ms").get<double>(), names(scene.at("best_under")));
+    text += fmt::format("Best under {:g} ms: {}. ", study.at("best_under_ms").get<double>(),
+                        names(scene.at("best_under")));
   if (scene.contains("cheapest_below_rmse"))
     text += fmt::format("Cheapest below RMSE {:g}: {}. ", study.at("rmse_limit").get<double>(),
                         names(scene.at("cheapest_below_rmse")));
@@ -55,26 +57,27 @@ std::string scene_figure(const Json& scene, const Json& study, size_t number) {
   html += "<div class=\"plots\">" + canvas("bench", "Time against error", text_of(study, "note"));
   const std::string truth = bench_truth_table(scene);
   if (!truth.empty()) html += canvas("truth", "The truth's own time against error", {});
-  return html + "</div>\n" + answers(scene, study) + bench_runs_table(scene) + truth + bench_claims_table(scene) +
-         "</figure>\n";
+  return html + "</div>\n" + answers(scene, study) + bench_runs_table(scene) + truth +
+         bench_claims_table(scene) + "</figure>\n";
 }
 
 std::string overall(const Json& study) {
   const Json& best = study.at("recommended");
   if (best.is_null() || best.at("scenes").get<size_t>() < 2) return {};
-  return fmt::format("<p>Recommended over {} scenes: {} (time x RMSE is {:.3g} times each scene's least).</p>\n",
-                     best.at("scenes").get<size_t>(), escape_html(text_of(best, "label")),
-                     best.at("cost").get<double>());
+  return fmt::format(
+      "<p>Recommended over {} scenes: {} (time x RMSE is {:.3g} times each scene's least).</p>\n",
+      best.at("scenes").get<size_t>(), escape_html(text_of(best, "label")), best.at("cost").get<double>());
 }
 
 std::string study_heading(const Json& study, const std::string& file) {
-  return fmt::format("<h3>{}</h3><p>{}</p><p class=\"context\">{}: study {}; umbrameter {} ({}); {} x {} px, {} samples a "
-                     "pixel; up to {} frames a run</p>\n",
-                     escape_html(text_of(study, "title")), escape_html(text_of(study, "doc")), escape_html(file),
-                     escape_html(text_of(study, "study")), escape_html(text_of(study, "version")),
-                     escape_html(text_of(study, "commit")), study.at("width_px").get<int>(),
-                     study.at("height_px").get<int>(), study.at("samples_per_pixel").get<int>(),
-                     study.at("wanted_frames").get<int>());
+  return fmt::format(
+      "<h3>{}</h3><p>{}</p><p class=\"context\">{}: study {}; umbrameter {} ({}); {} x {} px, {} samples a "
+      "pixel; up to {} frames a run</p>\n",
+      escape_html(text_of(study, "title")), escape_html(text_of(study, "doc")), escape_html(file),
+      escape_html(text_of(study, "study")), escape_html(text_of(study, "version")),
+      escape_html(text_of(study, "commit")), study.at("width_px").get<int>(),
+      study.at("height_px").get<int>(), study.at("samples_per_pixel").get<int>(),
+      study.at("wanted_frames").get<int>());
 }
 
 Json plot_json(const Json& scene, const Json& study) {
@@ -109,10 +112,12 @@ SidePart bench_part(const std::filesystem::path& folder) {
     for (const Json& study : studies) add_study(study, file, part);
   });
   if (part.html.empty()) return part;
-  part.html = "<section id=\"bench\"><h2>Time against error</h2>\n"
-              "<p>Frames of all runs timed in turn. Bars are 95 % intervals of the median time and of the debiased RMSE. A run is "
-              "behind another when both of the other's intervals lie below its own; the rest is the front.</p>\n" +
-              part.html + "</section>\n";
+  part.html =
+      "<section id=\"bench\"><h2>Time against error</h2>\n"
+      "<p>Frames of all runs timed in turn. Bars are 95 % intervals of the median time and of the debiased "
+      "RMSE. A run is "
+      "behind another when both of the other's intervals lie below its own; the rest is the front.</p>\n" +
+      part.html + "</section>\n";
   return part;
 }
 

@@ -7,7 +7,7 @@ namespace umbrameter {
 
 /// A part of the page that another verb's files give.
 struct SidePart {
-  std::string html;                                            // empty without such files
+  std::string html;                                                // empty without such files
   nlohmann::ordered_json plots = nlohmann::ordered_json::array();  // for the page's scripts
 };
 

@@ -46,8 +46,8 @@ std::string run_row(const Json& run, bool is_recommended) {
   return name_cell(label) + number_cell("time_ms", value_of(time_ms), significant(time_ms, 4, " ms")) +
          number_cell("rmse", value_of(rmse), format_interval(rmse)) +
          number_cell("memory_bytes", static_cast<double>(memory), format_bytes(memory)) +
-         text_cell(place, run.at("failure").is_null() ? "" : "problem") +
-         text_cell(run.at("seed").dump()) + text_cell(parameters_text(run.at("parameters")), "context");
+         text_cell(place, run.at("failure").is_null() ? "" : "problem") + text_cell(run.at("seed").dump()) +
+         text_cell(parameters_text(run.at("parameters")), "context");
 }
 
 std::string paper_text(const Json& paper) {
@@ -62,8 +62,7 @@ std::string claim_row(const Json& claim) {
   std::string verdict = claim.at("verdict").get<std::string>();
   const std::string reason = claim.at("reason").get<std::string>();
   if (!reason.empty()) verdict += ": " + reason;
-  return name_cell(claim.at("text").get<std::string>()) +
-         text_cell(claim.at("source").get<std::string>()) +
+  return name_cell(claim.at("text").get<std::string>()) + text_cell(claim.at("source").get<std::string>()) +
          text_cell(fmt::format("{} of {} / {}", claim.at("quantity").get<std::string>(),
                                claim.at("numerator").get<std::string>(),
                                claim.at("denominator").get<std::string>())) +
@@ -74,7 +73,8 @@ std::string claim_row(const Json& claim) {
 std::string truth_row(const Json& point) {
   const double cpu_s = point.at("cpu_s").get<double>(), rmse = point.at("rmse").get<double>();
   return name_cell(fmt::format("{} {}", point.at("kind").get<std::string>(), point.at("setting").dump())) +
-         number_cell("cpu_s", cpu_s, fmt::format("{:.4g} ± {:.2g} s", cpu_s, point.at("cpu_mad_s").get<double>())) +
+         number_cell("cpu_s", cpu_s,
+                     fmt::format("{:.4g} ± {:.2g} s", cpu_s, point.at("cpu_mad_s").get<double>())) +
          number_cell("rmse", rmse,
                      format_interval(Interval{rmse, point.at("rmse_low").get<double>(),
                                               point.at("rmse_high").get<double>()})) +
@@ -93,17 +93,16 @@ std::vector<std::string> rows_of(const Json& list, const Row& row) {
 
 std::string bench_runs_table(const Json& scene) {
   const Json& best = scene.at("recommended");
-  return scroll_table("Time and error of every run",
-                      {{"Run"},
-                       {"Time of a frame [95 %]", true},
-                       {"RMSE [95 %]", true},
-                       {"Memory", true},
-                       {"Front"},
-                       {"Seed"},
-                       {"Parameters"}},
-                      rows_of(scene.at("runs"), [&](const Json& run) {
-                        return run_row(run, run.at("label") == best);
-                      }));
+  return scroll_table(
+      "Time and error of every run",
+      {{"Run"},
+       {"Time of a frame [95 %]", true},
+       {"RMSE [95 %]", true},
+       {"Memory", true},
+       {"Front"},
+       {"Seed"},
+       {"Parameters"}},
+      rows_of(scene.at("runs"), [&](const Json& run) { return run_row(run, run.at("label") == best); }));
 }
 
 std::string bench_claims_table(const Json& scene) {

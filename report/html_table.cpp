@@ -25,7 +25,8 @@ std::string name_cell(std::string_view name) {
 std::string scroll_table(std::string_view name, const std::vector<Heading>& headings,
                          const std::vector<std::string>& rows) {
   std::string html = fmt::format(
-      "<div class=\"table-scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{}\"><table class=\"sortable\">"
+      "<div class=\"table-scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{}\"><table "
+      "class=\"sortable\">"
       "<thead><tr>",
       escape_html(name));
   for (const Heading& heading : headings) {

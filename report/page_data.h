@@ -15,7 +15,8 @@ namespace umbrameter {
 /// `folder`; they go into `store`), what `tune` left in `beside`, the plots of bench_part, colours and scales. Compact, and
 /// safe inside a <script>.
 std::string page_data(const Results& results, const std::filesystem::path& folder,
-                      const std::filesystem::path& beside, const nlohmann::ordered_json& benches, PlaneStore& store);
+                      const std::filesystem::path& beside, const nlohmann::ordered_json& benches,
+                      PlaneStore& store);
 
 /// `json` with every < as an escape, so that nothing in it can end the script it stands in.
 std::string script_safe(std::string json);

@@ -69,8 +69,9 @@ std::string remarks(const Json& one) {
 }
 
 std::string effort(const Json& one) {
-  return fmt::format("{} samples a pixel, {} of them added; {} pictures", one.at("samples_per_pixel").get<int>(),
-                     one.at("added_samples_per_pixel").get<int>(), one.at("pictures").get<int>());
+  return fmt::format("{} samples a pixel, {} of them added; {} pictures",
+                     one.at("samples_per_pixel").get<int>(), one.at("added_samples_per_pixel").get<int>(),
+                     one.at("pictures").get<int>());
 }
 
 std::string case_row(const Json& one, const Results& results) {
@@ -98,9 +99,10 @@ std::string gate_details(const Json& one) {
   }
   if (rows.empty()) return {};
   const std::string name = text_of(one, "scene") + ", " + text_of(one, "label");
-  return fmt::format("<details class=\"facts\"><summary>{}: gate</summary>{}</details>\n", escape_html(name),
-                     scroll_table("Gate of " + name,
-                                  {{"Class"}, {"Before", true}, {"Now", true}, {"Allowed", true}, {"Used", true}}, rows));
+  return fmt::format(
+      "<details class=\"facts\"><summary>{}: gate</summary>{}</details>\n", escape_html(name),
+      scroll_table("Gate of " + name,
+                   {{"Class"}, {"Before", true}, {"Now", true}, {"Allowed", true}, {"Used", true}}, rows));
 }
 
 std::string check_html(const Json& check, const Results& results) {
@@ -131,14 +133,17 @@ RegressPart regress_part(const std::filesystem::path& folder, const Results& res
   for_side_files(folder, "regress", [&](const Json& check, const std::string&) {
     part.html += check_html(check, results);
     const bool passes = check.at("passes").get<bool>();
-    part.verdict += fmt::format("<p{}><a href=\"#regress\">Regression</a> of {}</p>\n", passes ? "" : " class=\"problem\"",
-                                escape_html(summary_text(check)));
+    part.verdict += fmt::format("<p{}><a href=\"#regress\">Regression</a> of {}</p>\n",
+                                passes ? "" : " class=\"problem\"", escape_html(summary_text(check)));
   });
   if (part.html.empty()) return part;
-  part.html = "<section id=\"regress\"><h2>Regression</h2>\n"
-              "<p>Against the baseline, both against the truth. Nearest to a gate: the part of what the gate allows that its worst "
-              "measure uses; above 1 it fails. Before and now of every measure are under the gates below the table.</p>\n" +
-              part.html + "</section>\n";
+  part.html =
+      "<section id=\"regress\"><h2>Regression</h2>\n"
+      "<p>Against the baseline, both against the truth. Nearest to a gate: the part of what the gate allows "
+      "that its worst "
+      "measure uses; above 1 it fails. Before and now of every measure are under the gates below the "
+      "table.</p>\n" +
+      part.html + "</section>\n";
   return part;
 }
 

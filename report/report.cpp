@@ -59,8 +59,9 @@ std::string context(const Results& results) {
 /// Scripts in the order in which they need each other.
 std::string scripts() {
   std::string text;
-  for (const char* name : {"planes.js", "noise.js", "layers.js", "viewer.js", "viewer_draw.js",
-                           "viewer_keys.js", "profile.js", "charts.js", "sweeps.js", "bench.js", "stress.js", "table.js", "page.js"}) {
+  for (const char* name :
+       {"planes.js", "noise.js", "layers.js", "viewer.js", "viewer_draw.js", "viewer_keys.js", "profile.js",
+        "charts.js", "sweeps.js", "bench.js", "stress.js", "table.js", "page.js"}) {
     text += report_asset(name);
   }
   return text;
@@ -78,24 +79,24 @@ std::string page_html(const std::optional<Results>& given, const Places& places,
   const std::string data = page_data(results, places.folder, places.beside, bench.plots, store);
   std::string scenes;
   for (size_t i = 0; i < results.scenes.size(); ++i) scenes += scene_section(results, i);
-  return fill_template(
-      report_asset("page.html"),
-      {{"file_scripts", store.has_files() ? " file:" : ""},
-       {"style", std::string(report_asset("page.css"))},
-       {"chart", std::string(report_asset("chart.min.js"))},
-       {"script", scripts()},
-       {"context", given ? escape_html(context(results)) : "No results.json here: numbers of other commands alone."},
-       {"hidden", given ? "" : " hidden"},
-       {"verdict", regress.verdict + summary_verdicts(results)},
-       {"rows", summary_rows(results)},
-       {"regress", regress.html},
-       {"bench", bench.html},
-       {"stress", stress_part(places.beside)},
-       {"legend", legend()},
-       {"skipped", skipped_list(results)},
-       {"data", data},
-       {"planes", store.blocks()},
-       {"scenes", scenes}});
+  return fill_template(report_asset("page.html"),
+                       {{"file_scripts", store.has_files() ? " file:" : ""},
+                        {"style", std::string(report_asset("page.css"))},
+                        {"chart", std::string(report_asset("chart.min.js"))},
+                        {"script", scripts()},
+                        {"context", given ? escape_html(context(results))
+                                          : "No results.json here: numbers of other commands alone."},
+                        {"hidden", given ? "" : " hidden"},
+                        {"verdict", regress.verdict + summary_verdicts(results)},
+                        {"rows", summary_rows(results)},
+                        {"regress", regress.html},
+                        {"bench", bench.html},
+                        {"stress", stress_part(places.beside)},
+                        {"legend", legend()},
+                        {"skipped", skipped_list(results)},
+                        {"data", data},
+                        {"planes", store.blocks()},
+                        {"scenes", scenes}});
 }
 
 }  // namespace
@@ -105,8 +106,8 @@ std::string report_html(const Results& results, const std::filesystem::path& fol
   return page_html(results, {folder, folder}, store);
 }
 
-void write_report(const std::filesystem::path& folder, const std::filesystem::path& html_file, size_t budget_bytes,
-                  const std::filesystem::path& beside) {
+void write_report(const std::filesystem::path& folder, const std::filesystem::path& html_file,
+                  size_t budget_bytes, const std::filesystem::path& beside) {
   const Places places{folder, beside.empty() ? folder : beside};
   const std::filesystem::path results_file = folder / "results.json";
   std::optional<Results> results;

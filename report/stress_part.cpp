@@ -61,8 +61,9 @@ std::string range_detail(const Json& range, const std::string& unit) {
 std::string map_cell(const Json& range, const std::string& unit, const std::string& anchor) {
   const std::string detail = escape_html(range_detail(range, unit));
   const auto cell = [&](const std::string& attributes, const std::string& text) {
-    return fmt::format("<td role=\"gridcell\" tabindex=\"-1\" data-axis=\"{}\" data-detail=\"{}\" title=\"{}\"{}>{}</td>",
-                       anchor, detail, detail, attributes, text);
+    return fmt::format(
+        "<td role=\"gridcell\" tabindex=\"-1\" data-axis=\"{}\" data-detail=\"{}\" title=\"{}\"{}>{}</td>",
+        anchor, detail, detail, attributes, text);
   };
   if (!range.at("applies").get<bool>()) return cell(" class=\"none\"", "-");
   const auto held = range.at("held").get<double>(), values = range.at("values").get<double>();
@@ -77,11 +78,15 @@ std::string axis_anchor(size_t map, const std::string& axis) {
 
 std::string map_table(const Json& stress, size_t map) {
   std::map<std::string, std::map<std::string, const Json*>> ranges;  // by row and axis
-  for (const Json& range : stress.at("ranges")) ranges[text_of(range, "row")][text_of(range, "axis")] = &range;
-  std::string html = "<div class=\"table-scroll\"><table class=\"map\" role=\"grid\" aria-label=\"Stability map\"><thead><tr>"
-                     "<th scope=\"col\">Technique</th>";
+  for (const Json& range : stress.at("ranges"))
+    ranges[text_of(range, "row")][text_of(range, "axis")] = &range;
+  std::string html =
+      "<div class=\"table-scroll\"><table class=\"map\" role=\"grid\" aria-label=\"Stability "
+      "map\"><thead><tr>"
+      "<th scope=\"col\">Technique</th>";
   for (const Json& axis : stress.at("axes")) {
-    html += fmt::format("<th scope=\"col\" class=\"upright\"><span>{}</span></th>", escape_html(text_of(axis, "name")));
+    html += fmt::format("<th scope=\"col\" class=\"upright\"><span>{}</span></th>",
+                        escape_html(text_of(axis, "name")));
   }
   html += "</tr></thead><tbody>\n";
   for (const Json& row : stress.at("rows")) {
@@ -95,8 +100,10 @@ std::string map_table(const Json& stress, size_t map) {
     }
     html += "</tr>\n";
   }
-  return html + "</tbody></table></div>\n<p class=\"map-detail\" role=\"status\">Point at a cell, or Tab to the map and use the "
-                "arrows: its range, the first value that breaks it, and how. Enter unfolds the axis.</p>\n";
+  return html +
+         "</tbody></table></div>\n<p class=\"map-detail\" role=\"status\">Point at a cell, or Tab to the map "
+         "and use the "
+         "arrows: its range, the first value that breaks it, and how. Enter unfolds the axis.</p>\n";
 }
 
 std::string value_cell(const Json& cell) {
@@ -105,7 +112,8 @@ std::string value_cell(const Json& cell) {
   std::string text = rmse ? format_error(rmse->value) : "";
   if (outcome != "ok" || text.empty()) text += (text.empty() ? "" : " ") + words;
   return fmt::format("<td class=\"{}\"{}>{}</td>", escape_html(outcome),
-                     how.empty() || how == words ? "" : " title=\"" + escape_html(how) + "\"", escape_html(text));
+                     how.empty() || how == words ? "" : " title=\"" + escape_html(how) + "\"",
+                     escape_html(text));
 }
 
 using CellsOfRow = std::map<std::string, std::map<size_t, const Json*>>;  // by row and value
@@ -113,8 +121,10 @@ using CellsOfRow = std::map<std::string, std::map<size_t, const Json*>>;  // by 
 std::string axis_details(const Json& axis, const Json& rows, CellsOfRow& cells, const std::string& anchor) {
   const std::string unit = unit_of(axis);
   std::string html = fmt::format(
-      "<details class=\"facts\" id=\"{}\"><summary>{}{}: {}</summary><div class=\"table-scroll\" tabindex=\"0\" "
-      "role=\"region\" aria-label=\"Axis {}\"><table class=\"map\"><thead><tr><th scope=\"col\">Technique</th>",
+      "<details class=\"facts\" id=\"{}\"><summary>{}{}: {}</summary><div class=\"table-scroll\" "
+      "tabindex=\"0\" "
+      "role=\"region\" aria-label=\"Axis {}\"><table class=\"map\"><thead><tr><th "
+      "scope=\"col\">Technique</th>",
       anchor, escape_html(text_of(axis, "name")), unit.empty() ? "" : " (" + escape_html(unit) + ")",
       escape_html(text_of(axis, "doc")), escape_html(text_of(axis, "name")));
   const Json& values = axis.at("values");
@@ -137,14 +147,16 @@ std::string axis_details(const Json& axis, const Json& rows, CellsOfRow& cells, 
 
 std::string map_html(const Json& stress, const std::string& file, size_t map) {
   std::string html = fmt::format(
-      "<h3>{}</h3><p class=\"context\">{}: umbrameter {} ({}); {}; {} x {} px, {} samples a pixel, seed {}</p>\n",
+      "<h3>{}</h3><p class=\"context\">{}: umbrameter {} ({}); {}; {} x {} px, {} samples a pixel, seed "
+      "{}</p>\n",
       escape_html(text_of(stress, "title")), escape_html(file), escape_html(text_of(stress, "version")),
-      escape_html(text_of(stress, "commit")), escape_html(text_of(stress, "device")), stress.at("width_px").get<int>(),
-      stress.at("height_px").get<int>(), stress.at("samples_per_pixel").get<int>(), stress.at("seed").get<uint64_t>());
+      escape_html(text_of(stress, "commit")), escape_html(text_of(stress, "device")),
+      stress.at("width_px").get<int>(), stress.at("height_px").get<int>(),
+      stress.at("samples_per_pixel").get<int>(), stress.at("seed").get<uint64_t>());
   const auto violations = stress.at("violations").get<std::vector<std::string>>();
   if (!violations.empty()) {
-    html += fmt::format("<p class=\"problem\">Against the rules: {}</p><ul class=\"warnings\">{}</ul>\n", violations.size(),
-                        list_items(violations));
+    html += fmt::format("<p class=\"problem\">Against the rules: {}</p><ul class=\"warnings\">{}</ul>\n",
+                        violations.size(), list_items(violations));
   }
   html += map_table(stress, map);
   std::map<std::string, CellsOfRow> cells;  // by axis
@@ -166,8 +178,10 @@ std::string stress_part(const std::filesystem::path& folder) {
     maps += map_html(document, file, ++count);
   });
   if (maps.empty()) return {};
-  return "<section id=\"stress\"><h2>Stability map</h2>\n<p>Along each axis of difficulty: how many of its values a technique holds "
-         "around the nominal one, the error within twice its nominal value. Green: all of them; red: few; a dash: does not "
+  return "<section id=\"stress\"><h2>Stability map</h2>\n<p>Along each axis of difficulty: how many of its "
+         "values a technique holds "
+         "around the nominal one, the error within twice its nominal value. Green: all of them; red: few; a "
+         "dash: does not "
          "apply. Numbers below are RMSE of visibility.</p>\n" +
          maps + "</section>\n";
 }

@@ -1,6 +1,6 @@
 #include "study/format.h"
-#include "study/table_text.h"
 #include "study/regress/output.h"
+#include "study/table_text.h"
 
 #include <fmt/format.h>
 

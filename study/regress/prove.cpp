@@ -88,11 +88,13 @@ const Baseline& recorded(const std::optional<TechniqueChoice>& choice, Proof& pr
   const std::string key = choice ? choice->technique + " " + to_text(choice->parameters) : "";
   const auto [found, is_new] = proof.baselines.try_emplace(key);
   if (!is_new) return found->second;
-  StagedPicture realtime(proof.stage, [&](Stage& stage) { return choice ? stage.picture(*choice) : stage.exact(); });
+  StagedPicture realtime(proof.stage,
+                         [&](Stage& stage) { return choice ? stage.picture(*choice) : stage.exact(); });
   RegressPlan plan = proof.plan;
   plan.seed = kRecordSeed;
   SilentProgress silent;
-  const RegressResults measured = measure_suite({&proof.job, 1}, plan, proof.renderers(realtime, true_picture), silent);
+  const RegressResults measured =
+      measure_suite({&proof.job, 1}, plan, proof.renderers(realtime, true_picture), silent);
   found->second = parse_baseline(to_toml_text(baseline_of(measured, {"", "proof", "", {}})), "baseline.toml");
   return found->second;
 }

@@ -1,8 +1,8 @@
 #pragma once
 // Renders what a suite names and judges it against a baseline, or makes one. Sees only Renderer&.
 
-#include "study/regress/baseline.h"
 #include "study/metric_probe.h"
+#include "study/regress/baseline.h"
 #include "study/regress/judge.h"
 #include "study/validation.h"
 

@@ -132,8 +132,7 @@ const Examined& Stage::examined(const TechniqueChoice& choice) {
 }
 
 Image Stage::picture_of_shadows(const TechniqueChoice& choice, const Scene& changed) {
-  return with_shadows_of(render(renderers_.realtime, changed, seed_, choice), picture(choice),
-                         eye_world());
+  return with_shadows_of(render(renderers_.realtime, changed, seed_, choice), picture(choice), eye_world());
 }
 
 }  // namespace umbrameter

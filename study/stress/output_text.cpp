@@ -1,5 +1,5 @@
-#include "study/table_text.h"
 #include "study/stress/output.h"
+#include "study/table_text.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

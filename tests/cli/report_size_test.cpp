@@ -22,21 +22,24 @@ class ReportSize : public CliTest {
 };
 
 TEST_F(ReportSize, TwelveScenesOfThirtyRunsStayUnder60MBAndOpenEveryViewer) {
-  const ProcessResult validated =
-      umbrameter({"validate", "colonnade", "contact_hardening", "--technique", "hard", "--technique", "pcss",
-                  "--quality", "quick", "--spp", "64", "--metrics", "error", "--frames", "1", "--out", "out"});
+  const ProcessResult validated = umbrameter({"validate", "colonnade", "contact_hardening", "--technique",
+                                              "hard", "--technique", "pcss", "--quality", "quick", "--spp",
+                                              "64", "--metrics", "error", "--frames", "1", "--out", "out"});
   ASSERT_EQ(validated.exit_code, 0) << validated.err;
   const std::string support = UMBRAMETER_SOURCE_DIR "/tests/support/";
   ASSERT_EQ(run_process({"python3", support + "repeat_results.py", path("out"), "12", "30"}).exit_code, 0);
-  ASSERT_EQ(umbrameter({"report", "out", "--out", "report.html"}).exit_code, 0);
+  const ProcessResult report = umbrameter({"report", "out", "--out", "report.html"}, {.timeout_s = 400});
+  ASSERT_EQ(report.exit_code, 0) << report.err;
   const auto size = std::filesystem::file_size(folder() / "report.html");
   EXPECT_LT(size, 60'000'000u);
   const char* open_all =
-      "(async () => { for (let s = 0; s < 12; ++s) { const viewer = makeViewer(s); while (viewer.root.dataset.ready !== '0 -1') "
-      "await new Promise(done => setTimeout(done, 10)); } return [viewers.size, page.results.scenes[11].techniques.length]; })()";
+      "(async () => { for (let s = 0; s < 12; ++s) { const viewer = makeViewer(s); while "
+      "(viewer.root.dataset.ready !== '0 -1') "
+      "await new Promise(done => setTimeout(done, 10)); } return [viewers.size, "
+      "page.results.scenes[11].techniques.length]; })()";
   write("steps.json", Json({{{"eval", open_all}}}).dump());
-  const ProcessResult visit =
-      run_process({"python3", support + "browser.py", path("report.html"), path("steps.json"), path("profile")});
+  const ProcessResult visit = run_process(
+      {"python3", support + "browser.py", path("report.html"), path("steps.json"), path("profile")});
   ASSERT_EQ(visit.exit_code, 0) << visit.err;
   const Json seen = Json::parse(visit.out);
   EXPECT_EQ(seen["console"], Json::array());

@@ -52,7 +52,8 @@ std::string bench_text() {
   return json.dump();
 }
 
-StressCell cell(const std::string& row, size_t value, StressOutcome outcome, double rmse, const std::string& how = {}) {
+StressCell cell(const std::string& row, size_t value, StressOutcome outcome, double rmse,
+                const std::string& how = {}) {
   StressCell one;
   one.axis = "world_offset";
   one.row = row;
@@ -87,7 +88,8 @@ std::string regress_text_of(CaseOutcome outcome) {
   one.verdict.outcome = outcome;
   one.verdict.kind = "acne";
   one.verdict.message = "speckle & <more>";
-  one.verdict.gate.measures = {{GateClass::acne, 0.0123, 0.001, 0.004}, {GateClass::noise, std::nullopt, 0.1, 0.2}};
+  one.verdict.gate.measures = {{GateClass::acne, 0.0123, 0.001, 0.004},
+                               {GateClass::noise, std::nullopt, 0.1, 0.2}};
   BaselineRun run;
   run.numbers.mse = {0.0004, 0.0003, 0.0005};
   one.before = run;
@@ -104,9 +106,12 @@ TEST(ReportParts, AreEmptyWithoutTheirFilesAndRefuseMalformedOnes) {
   EXPECT_EQ(regress_part(folder.path(), {}).html, "");
   for (const char* name : {"bench-x.json", "stress.json", "regress.json"})
     write_file_atomically(folder.path() / name, R"({"scenes": 3, "axes": [{}], "cases": [1]})");
-  EXPECT_THAT([&] { bench_part(folder.path()); }, ThrowsMessage<Error>(HasSubstr("bench-x.json: not what 'bench' writes")));
-  EXPECT_THAT([&] { stress_part(folder.path()); }, ThrowsMessage<Error>(HasSubstr("stress.json: not what 'stress' writes")));
-  EXPECT_THAT([&] { regress_part(folder.path(), {}); }, ThrowsMessage<Error>(HasSubstr("regress.json: not what")));
+  EXPECT_THAT([&] { bench_part(folder.path()); },
+              ThrowsMessage<Error>(HasSubstr("bench-x.json: not what 'bench' writes")));
+  EXPECT_THAT([&] { stress_part(folder.path()); },
+              ThrowsMessage<Error>(HasSubstr("stress.json: not what 'stress' writes")));
+  EXPECT_THAT([&] { regress_part(folder.path(), {}); },
+              ThrowsMessage<Error>(HasSubstr("regress.json: not what")));
 }
 
 TEST(ReportParts, OfBenchSayWhatItMeasured) {
@@ -127,7 +132,9 @@ TEST(ReportParts, OfStressSayRangeFirstBreakAndHow) {
   const TemporaryFolder folder;
   write_file_atomically(folder.path() / "stress.json", stress_text());
   const std::string html = stress_part(folder.path());
-  EXPECT_THAT(html, HasSubstr("pcss, world_offset: holds from 0 to 10000 world units (2 of 3 values); leak at 1e+07"));
+  EXPECT_THAT(
+      html,
+      HasSubstr("pcss, world_offset: holds from 0 to 10000 world units (2 of 3 values); leak at 1e+07"));
   EXPECT_THAT(html, HasSubstr(">2/3</td>"));
   EXPECT_THAT(html, HasSubstr("<td class=\"worse\" title=\"geometric_leak\">0.34500 leak</td>"));
   Json unknown = Json::parse(stress_text());
@@ -174,17 +181,24 @@ class ReportPartsVisit : public ReportVisit {
 };
 
 TEST_F(ReportPartsVisit, PlotTimesWithTheFrontTheRecommendedRunAndTheTruth) {
-  const Json seen = visit({evaluate("benchCharts[0].charts.bench.data.datasets.map(set => [set.label, set.data.map(point => point.label)])"),
-                           evaluate("benchCharts[0].charts.bench.data.datasets[0].data[0].bars"),
-                           evaluate("benchCharts[0].charts.truth.data.datasets.map(set => set.label)"),
-                           evaluate("benchCharts[0].charts.truth.data.datasets[1].data.map(point => point.y)"),
-                           evaluate("[...document.querySelectorAll('#contents a')].map(link => link.textContent)")});
+  const Json seen =
+      visit({evaluate("benchCharts[0].charts.bench.data.datasets.map(set => [set.label, set.data.map(point "
+                      "=> point.label)])"),
+             evaluate("benchCharts[0].charts.bench.data.datasets[0].data[0].bars"),
+             evaluate("benchCharts[0].charts.truth.data.datasets.map(set => set.label)"),
+             evaluate("benchCharts[0].charts.truth.data.datasets[1].data.map(point => point.y)"),
+             evaluate("[...document.querySelectorAll('#contents a')].map(link => link.textContent)")});
   EXPECT_EQ(seen["console"], Json::array());
-  EXPECT_EQ(seen["values"][0], Json::parse(R"([["front", ["fast", "slow"]], ["dominated", ["late"]], ["recommended: slow", ["slow"]], ["", [null, null]]])"));
+  EXPECT_EQ(
+      seen["values"][0],
+      Json::parse(
+          R"([["front", ["fast", "slow"]], ["dominated", ["late"]], ["recommended: slow", ["slow"]], ["", [null, null]]])"));
   EXPECT_EQ(seen["values"][1], Json({{"x", {0.9 * 1.0, 1.1 * 1.0}}, {"y", {0.9 * 0.08, 1.1 * 0.08}}}));
   EXPECT_EQ(seen["values"][2], Json({"spp", "RMSE as time to the power -0.50"}));
-  EXPECT_NEAR(seen["values"][3][0].get<double>(), 0.04, 1e-9);  // through both points: a quarter of the samples, twice the error
-  EXPECT_EQ(seen["values"][4], Json({"Summary", "Regression", "plate", "Time against error", "Stability map", "Scales", "Skipped"}));
+  EXPECT_NEAR(seen["values"][3][0].get<double>(), 0.04,
+              1e-9);  // through both points: a quarter of the samples, twice the error
+  EXPECT_EQ(seen["values"][4], Json({"Summary", "Regression", "plate", "Time against error", "Stability map",
+                                     "Scales", "Skipped"}));
 }
 
 TEST_F(ReportPartsVisit, WalkTheMapByKeysAndSayWhatACellHolds) {
@@ -201,15 +215,20 @@ TEST_F(ReportPartsVisit, WalkTheMapByKeysAndSayWhatACellHolds) {
                            evaluate(detail)});
   EXPECT_EQ(seen["console"], Json::array());
   const std::string truth = "truth, world_offset: holds from 0 to 1e+07 world units (3 of 3 values)";
-  EXPECT_EQ(seen["values"],
-            Json({truth, "pcss, world_offset: holds from 0 to 10000 world units (2 of 3 values); leak at 1e+07", 1, true, truth}));
+  EXPECT_EQ(
+      seen["values"],
+      Json({truth, "pcss, world_offset: holds from 0 to 10000 world units (2 of 3 values); leak at 1e+07", 1,
+            true, truth}));
 }
 
 TEST_F(ReportPartsVisit, FitANarrowScreenAndSortTheirTables) {
-  const Json seen = visit({{{"size", {360, 740}}, {"before", true}},
-                           evaluate("document.documentElement.scrollWidth"),
-                           evaluate("document.querySelectorAll('#bench table.sortable')[0].querySelectorAll('thead button')[2].click()"),
-                           evaluate("[...document.querySelector('#bench table.sortable').tBodies[0].rows].map(row => row.cells[0].textContent)")});
+  const Json seen =
+      visit({{{"size", {360, 740}}, {"before", true}},
+             evaluate("document.documentElement.scrollWidth"),
+             evaluate("document.querySelectorAll('#bench table.sortable')[0].querySelectorAll('thead "
+                      "button')[2].click()"),
+             evaluate("[...document.querySelector('#bench table.sortable').tBodies[0].rows].map(row => "
+                      "row.cells[0].textContent)")});
   EXPECT_LE(seen["values"][0].get<int>(), 360);
   EXPECT_EQ(seen["values"][1], Json({"slow", "fast", "late"}));
 }

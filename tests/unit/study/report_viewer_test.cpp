@@ -139,13 +139,15 @@ TEST_F(ReportViewer, SavesWhatIsSeenAsPng) {
   EXPECT_EQ(seen["console"], Json::array());
   ASSERT_TRUE(std::filesystem::exists(file));
   const Image picture = read_image(file);
-  EXPECT_GE(picture.width, seen["values"].back().get<int>());  // the map with its margin, and the context below
+  EXPECT_GE(picture.width,
+            seen["values"].back().get<int>());  // the map with its margin, and the context below
   EXPECT_GT(picture.height, picture.width * kFakeHeight_px / kFakeWidth_px);
 }
 
 TEST_F(ReportViewer, ReachesEveryControlByTab) {
   const std::string missed =
-      "[...document.querySelectorAll('button, select, input, a[href], summary, [tabindex=\"0\"]')].filter(control => "
+      "[...document.querySelectorAll('button, select, input, a[href], summary, "
+      "[tabindex=\"0\"]')].filter(control => "
       "control.checkVisibility() && !control.disabled && !('reached' in control.dataset)).map(control => "
       "control.outerHTML.slice(0, 90))";
   const Json seen = visit({evaluate(ready(1)), {{"tabs", 90}}, evaluate(missed)});

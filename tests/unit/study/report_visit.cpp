@@ -40,8 +40,8 @@ Json ReportVisit::visit(const Json& steps, size_t budget_bytes) {
   write_report(folder_.path(), place("report.html"), budget_bytes);
   write_file_atomically(place("steps.json"), steps.dump());
   const ProcessResult result =
-      run_process({"python3", UMBRAMETER_SOURCE_DIR "/tests/support/browser.py", place("report.html").string(),
-                   place("steps.json").string(), place("profile").string()});
+      run_process({"python3", UMBRAMETER_SOURCE_DIR "/tests/support/browser.py",
+                   place("report.html").string(), place("steps.json").string(), place("profile").string()});
   EXPECT_EQ(result.exit_code, 0) << result.err;
   Json seen = result.exit_code == 0 ? Json::parse(result.out) : Json{{"console", {"no visit"}}};
   Json values = Json::array();
