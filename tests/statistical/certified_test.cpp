@@ -2,14 +2,12 @@
 // too small, or stopping early could pull the picture to one side, unnoticed. More points: docs/truth.md.
 
 #include "reference/exact/exact_check.h"
-#include "scenes/load_scene.h"
 #include "tests/statistical/agreement.h"
+#include "tests/support/models.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <filesystem>
 #include <iostream>
 
 namespace umbrameter {
@@ -20,16 +18,9 @@ struct Certified {
   size_t points = 0;
 };
 
-SceneSearch search() {
-  const char* assets = std::getenv("UMBRAMETER_ASSETS");
-  const std::filesystem::path source = UMBRAMETER_SOURCE_DIR;
-  return {assets != nullptr ? std::filesystem::path(assets) : source.parent_path() / "shared/models",
-          source / "scenes/library"};
-}
-
 /// A picture whose sampling stops by itself, at points chosen by a picture of other samples.
 ExactComparison check(const Certified& what, uint64_t seed) {
-  const Scene scene = load_scene(search().library / (what.scene + ".toml"), search());
+  const Scene scene = load_scene(model_search().library / (what.scene + ".toml"), model_search());
   RenderRequest request;
   request.width_px = 192;
   request.height_px = 108;
@@ -78,9 +69,7 @@ TEST(Certified, intervals_hold_the_exact_answer_in_the_library) {
 }
 
 TEST(Certified, intervals_hold_the_exact_answer_in_real_scenes) {
-  if (!std::filesystem::is_directory(search().assets)) {
-    GTEST_SKIP() << "no models in " << search().assets << "; set UMBRAMETER_ASSETS to their folder";
-  }
+  if (!has_models()) GTEST_SKIP() << no_models();
   // A point among hairs costs seconds.
   const ExactAgreement all = expect_certified({{"assets/bunny", 240},
                                                {"assets/dragon", 120},

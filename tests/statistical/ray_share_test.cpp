@@ -2,14 +2,12 @@
 
 #include "reference/ray_budget.h"
 #include "reference/reference.h"
-#include "scenes/load_scene.h"
+#include "tests/support/models.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
 #include <iostream>
 
 namespace umbrameter {
@@ -34,14 +32,8 @@ double rmse_of(const Image& image) {
 }
 
 TEST(RayShare, the_bunny_takes_at_most_15_percent_of_the_rays_of_uniform_sampling) {
-  const char* assets = std::getenv("UMBRAMETER_ASSETS");
-  const std::filesystem::path source = UMBRAMETER_SOURCE_DIR;
-  const SceneSearch search{
-      assets != nullptr ? std::filesystem::path(assets) : source.parent_path() / "shared/models",
-      source / "scenes/library"};
-  if (!std::filesystem::is_directory(search.assets)) {
-    GTEST_SKIP() << "no models in " << search.assets << "; set UMBRAMETER_ASSETS to their folder";
-  }
+  if (!has_models()) GTEST_SKIP() << no_models();
+  const SceneSearch search = model_search();
   const Scene scene = load_scene(search.library / "assets/bunny.toml", search);
   const Image adaptive = picture_of(scene, 1 << 14, 0.002);
   const RayBudget budget = ray_budget(adaptive);

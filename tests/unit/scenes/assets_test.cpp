@@ -1,10 +1,9 @@
 // Without these: the real models could stop loading, or lose triangles, unnoticed.
 #include "core/files.h"
 #include "scene_text.h"
+#include "tests/support/models.h"
 
 #include <gmock/gmock.h>
-
-#include <cstdlib>
 
 namespace umbrameter {
 namespace {
@@ -12,23 +11,15 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-std::filesystem::path assets_folder() {
-  if (const char* folder = std::getenv("UMBRAMETER_ASSETS")) return folder;
-  return std::filesystem::path(UMBRAMETER_SOURCE_DIR).parent_path() / "shared/models";
-}
-
 class Assets : public testing::Test {
  protected:
   void SetUp() override {
-    if (!std::filesystem::is_directory(search_.assets)) {
-      GTEST_SKIP() << "no models in " << search_.assets << "; set UMBRAMETER_ASSETS to their folder";
-    }
+    if (!has_models()) GTEST_SKIP() << no_models();
   }
   Scene load(const std::string& file) const {
     return SceneText{.mesh = "file = \"" + file + "\""}.parse("x.toml", search_);
   }
-  SceneSearch search_{.assets = assets_folder(),
-                      .library = std::filesystem::path(UMBRAMETER_SOURCE_DIR) / "scenes/library"};
+  SceneSearch search_ = model_search();
 };
 
 // Counts from the models' own description: triangles, and those dropped as repeated, zero or duplicate.
