@@ -11,7 +11,7 @@ function drawBench(owner) {
   putChart(owner, "bench", timesConfig(points, point => point.isOnFront, () => false, best.length > 0 ? [ring] : [], {}));
 }
 
-// RMSE against processor time, both logarithmic; dashed: the fitted power of time through the points' middle.
+// RMSE against processor time, both logarithmic. The exponent is of the number of samples, not of time.
 function drawTruthCurve(owner) {
   const {truth} = owner.bench;
   if (!truth) return;
@@ -19,18 +19,12 @@ function drawTruthCurve(owner) {
   const points = truth.points.filter(point => point.cpu_s > 0 && point.rmse > 0).sort((a, b) => a.cpu_s - b.cpu_s);
   if (points.length === 0) return;
   const kinds = [...new Set(points.map(point => point.kind))];
+  const falls = typeof truth.exponent === "number" ? `samples: RMSE as their number to the power ${truth.exponent.toFixed(2)}` : "samples";
   const sets = kinds.map((kind, k) => ({
-    label: kind, showLine: true, borderWidth: 1, pointRadius: 4, borderColor: inks[k % inks.length], backgroundColor: inks[k % inks.length],
+    label: kind === "samples" ? falls : kind, showLine: true, borderWidth: 1, pointRadius: 4, borderColor: inks[k % inks.length], backgroundColor: inks[k % inks.length],
     data: points.filter(point => point.kind === kind).map(point => ({
       x: point.cpu_s, y: point.rmse, label: `${kind} ${point.setting}`,
       bars: {x: [point.cpu_s - point.cpu_mad_s, point.cpu_s + point.cpu_mad_s], y: [point.rmse_low, point.rmse_high]}}))}));
-  if (typeof truth.exponent === "number") {
-    const middle = of => points.reduce((sum, point) => sum + Math.log(of(point)), 0) / points.length;
-    const [x, y] = [middle(point => point.cpu_s), middle(point => point.rmse)];
-    const fitted = [points[0].cpu_s, points.at(-1).cpu_s].map(s => ({x: s, y: Math.exp(y + truth.exponent * (Math.log(s) - x))}));
-    sets.push({type: "line", label: `RMSE as time to the power ${truth.exponent.toFixed(2)}`, data: fitted, pointRadius: 0, borderWidth: 1, borderDash: [4, 4],
-               borderColor: colours.quiet, backgroundColor: "transparent", isQuiet: true});
-  }
   putChart(owner, "truth", {
     type: "scatter", data: {datasets: sets},
     options: {

@@ -47,8 +47,8 @@ std::string bench_text() {
   results.scenes = {scene};
   Json json = Json::parse(to_json_text(results, {}));
   json["scenes"][0]["truth"] = Json::parse(R"({"exponent": -0.5, "points": [
-      {"kind": "spp", "setting": 16, "cpu_s": 0.1, "cpu_mad_s": 0.01, "rays_per_pixel": 9, "rmse": 0.04, "rmse_low": 0.03, "rmse_high": 0.05},
-      {"kind": "spp", "setting": 64, "cpu_s": 0.4, "cpu_mad_s": 0.01, "rays_per_pixel": 36, "rmse": 0.02, "rmse_low": 0.01, "rmse_high": 0.03}]})");
+      {"kind": "samples", "setting": 16, "cpu_s": 0.1, "cpu_mad_s": 0.01, "rays_per_pixel": 9, "rmse": 0.04, "rmse_low": 0.03, "rmse_high": 0.05},
+      {"kind": "samples", "setting": 64, "cpu_s": 0.4, "cpu_mad_s": 0.01, "rays_per_pixel": 36, "rmse": 0.02, "rmse_low": 0.01, "rmse_high": 0.03}]})");
   return json.dump();
 }
 
@@ -123,7 +123,7 @@ TEST(ReportParts, OfBenchSayWhatItMeasured) {
   EXPECT_THAT(part.html, HasSubstr("data-value=\"0.0987\">0.09870 [0.08883, 0.10857]"));
   EXPECT_THAT(part.html, HasSubstr("behind fast"));
   EXPECT_THAT(part.html, HasSubstr("by the least product of time and RMSE: slow."));
-  EXPECT_THAT(part.html, HasSubstr("spp 16"));
+  EXPECT_THAT(part.html, HasSubstr("samples 16"));
   ASSERT_EQ(part.plots.size(), 1u);
   EXPECT_EQ(part.plots[0]["runs"].size(), 3u);
 }
@@ -186,7 +186,7 @@ TEST_F(ReportPartsVisit, PlotTimesWithTheFrontTheRecommendedRunAndTheTruth) {
                       "=> point.label)])"),
              evaluate("benchCharts[0].charts.bench.data.datasets[0].data[0].bars"),
              evaluate("benchCharts[0].charts.truth.data.datasets.map(set => set.label)"),
-             evaluate("benchCharts[0].charts.truth.data.datasets[1].data.map(point => point.y)"),
+             evaluate("benchCharts[0].charts.truth.data.datasets[0].data.map(point => point.y)"),
              evaluate("[...document.querySelectorAll('#contents a')].map(link => link.textContent)")});
   EXPECT_EQ(seen["console"], Json::array());
   EXPECT_EQ(
@@ -194,9 +194,8 @@ TEST_F(ReportPartsVisit, PlotTimesWithTheFrontTheRecommendedRunAndTheTruth) {
       Json::parse(
           R"([["front", ["fast", "slow"]], ["dominated", ["late"]], ["recommended: slow", ["slow"]], ["", [null, null]]])"));
   EXPECT_EQ(seen["values"][1], Json({{"x", {0.9 * 1.0, 1.1 * 1.0}}, {"y", {0.9 * 0.08, 1.1 * 0.08}}}));
-  EXPECT_EQ(seen["values"][2], Json({"spp", "RMSE as time to the power -0.50"}));
-  EXPECT_NEAR(seen["values"][3][0].get<double>(), 0.04,
-              1e-9);  // through both points: a quarter of the samples, twice the error
+  EXPECT_EQ(seen["values"][2], Json({"samples: RMSE as their number to the power -0.50"}));
+  EXPECT_EQ(seen["values"][3], Json({0.04, 0.02}));
   EXPECT_EQ(seen["values"][4], Json({"Summary", "Regression", "plate", "Time against error", "Stability map",
                                      "Scales", "Skipped"}));
 }
