@@ -11,10 +11,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string text_of(const Json& object, const char* key) {
-  return object.at(key).get<std::string>();
-}
-
 std::string names(const Json& labels) {
   std::string text;
   for (const Json& label : labels) text += (text.empty() ? "" : ", ") + label.get<std::string>();

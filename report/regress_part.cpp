@@ -16,10 +16,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string text_of(const Json& object, const char* key) {
-  return object.at(key).get<std::string>();
-}
-
 std::string summary_text(const Json& check) {
   return fmt::format("{}: {} cases, {} pass, {} better, {} undecided, {} fail; {} x {} px, seed {}",
                      text_of(check, "suite"), check.at("cases").size(), check.at("pass").get<size_t>(),

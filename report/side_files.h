@@ -15,6 +15,11 @@ namespace umbrameter {
 using ReadSideFile = std::function<void(const nlohmann::ordered_json& document, const std::string& file)>;
 void for_side_files(const std::filesystem::path& folder, const std::string& verb, const ReadSideFile& read);
 
+/// The text under `key`. Throws a JSON exception when there is none.
+inline std::string text_of(const nlohmann::ordered_json& object, const char* key) {
+  return object.at(key).get<std::string>();
+}
+
 /// All that a page of `folder` would read besides results.json.
 std::vector<std::filesystem::path> side_files(const std::filesystem::path& folder);
 

@@ -17,10 +17,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string text_of(const Json& object, const char* key) {
-  return object.at(key).get<std::string>();
-}
-
 /// Empty for plain numbers.
 std::string unit_of(const Json& axis) {
   const std::string unit = text_of(axis, "unit");
