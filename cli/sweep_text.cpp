@@ -72,6 +72,11 @@ std::vector<Group> groups_of(std::span<const PlanStep> steps) {
   return groups;
 }
 
+size_t count_of(const SweepOutcome& outcome, Comparison verdict) {
+  const auto found = outcome.verdicts.find(verdict);
+  return found == outcome.verdicts.end() ? 0 : found->second;
+}
+
 /// "better (pcf)": against which run.
 std::string verdict_text(const std::optional<RunVerdict>& verdict) {
   return verdict ? fmt::format("{} ({})", format_verdict(verdict), verdict->baseline) : "";
@@ -161,21 +166,17 @@ std::string outcome_text(const SweepOutcome& outcome) {
   if (outcome.not_done > 0) text += fmt::format(", {} not done without a truth", outcome.not_done);
   if (!outcome.failures.empty()) text += fmt::format("; {} failed", outcome.failures.size());
   if (outcome.verdicts.empty()) return text + "\n";
-  const auto count = [&](Comparison verdict) {
-    return outcome.verdicts.contains(verdict) ? outcome.verdicts.at(verdict) : 0;
-  };
   return text +
          fmt::format("\nagainst each scene's first run: {} better, {} worse, {} the same, {} undecided\n",
-                     count(Comparison::better), count(Comparison::worse), count(Comparison::same),
-                     count(Comparison::cannot_tell));
+                     count_of(outcome, Comparison::better), count_of(outcome, Comparison::worse),
+                     count_of(outcome, Comparison::same), count_of(outcome, Comparison::cannot_tell));
 }
 
 Json outcome_json(const SweepOutcome& outcome) {
   Json failures = Json::array(), verdicts = Json::object();
   for (const Comparison verdict :
        {Comparison::better, Comparison::worse, Comparison::same, Comparison::cannot_tell})
-    verdicts[std::string(name_of(verdict))] =
-        outcome.verdicts.contains(verdict) ? outcome.verdicts.at(verdict) : 0;
+    verdicts[std::string(name_of(verdict))] = count_of(outcome, verdict);
   for (const Failure& failure : outcome.failures) failures.push_back(failure_json(failure));
   return {{"schema", 1},
           {"rendered", outcome.rendered},
