@@ -7,6 +7,9 @@
 
 #include <unistd.h>
 
+#include <chrono>
+#include <thread>
+
 namespace umbrameter {
 namespace {
 
@@ -107,6 +110,16 @@ Statement Database::prepare(std::string_view sql) {
 void Database::run(std::string_view sql) {
   if (sqlite3_exec(handle_, std::string(sql).c_str(), nullptr, nullptr, nullptr) != SQLITE_OK)
     fail_database(handle_, file_);
+}
+
+void Database::use_write_ahead_log() {
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(kBusyTimeout_ms);
+  for (;;) {
+    const int code = sqlite3_exec(handle_, "PRAGMA journal_mode = WAL", nullptr, nullptr, nullptr);
+    if (code == SQLITE_OK) return;
+    if (code != SQLITE_BUSY || std::chrono::steady_clock::now() > deadline) fail_database(handle_, file_);
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
 }
 
 bool Database::is_sound(const std::filesystem::path& file) {

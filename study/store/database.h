@@ -50,6 +50,9 @@ class Database {
   Statement prepare(std::string_view sql);
   /// Runs statements without results.
   void run(std::string_view sql);
+  /// Switches to a write-ahead log. Waits for others as run() does: two that make a file at once would each hold what the other
+  /// needs, so that SQLite fails this statement at once instead of waiting.
+  void use_write_ahead_log();
 
   /// Whether SQLite finds every page in order; a file that is no database is not. Never throws.
   static bool is_sound(const std::filesystem::path& file);

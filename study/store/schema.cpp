@@ -70,7 +70,8 @@ std::vector<Entry> salvage(const fs::path& damaged) {
 
 void require_schema(Database& database, Database::Mode mode, const fs::path& file) {
   if (mode == Database::Mode::write) {
-    database.run("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL;");
+    database.use_write_ahead_log();
+    database.run("PRAGMA synchronous = NORMAL;");
     Transaction transaction(database);
     database.run(kTables);
     database.run(fmt::format("INSERT OR IGNORE INTO meta VALUES('schema', '{}');", kStoreSchema));
