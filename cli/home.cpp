@@ -120,9 +120,12 @@ std::vector<TechniqueRun> all_techniques(const Home& home) {
   return runs;
 }
 
-std::unique_ptr<Renderer> open_realtime_renderer(const GlobalOptions& options, const Home& home) {
-  return make_realtime_renderer(
-      {.techniques_folder = home.techniques, .shaders_folder = home.shaders, .device = options.device});
+std::unique_ptr<Renderer> open_realtime_renderer(const GlobalOptions& options, const Home& home,
+                                                 bool cull_casters) {
+  return make_realtime_renderer({.techniques_folder = home.techniques,
+                                 .shaders_folder = home.shaders,
+                                 .device = options.device,
+                                 .cull_casters = cull_casters});
 }
 
 }  // namespace umbrameter

@@ -41,6 +41,8 @@ TechniqueRun choose_technique(const std::string& text, const std::vector<std::st
 /// Every built-in technique at its defaults.
 std::vector<TechniqueRun> all_techniques(const Home& home);
 
-std::unique_ptr<Renderer> open_realtime_renderer(const GlobalOptions& options, const Home& home);
+/// `cull_casters`: as in RealtimeSettings.
+std::unique_ptr<Renderer> open_realtime_renderer(const GlobalOptions& options, const Home& home,
+                                                 bool cull_casters = true);
 
 }  // namespace umbrameter

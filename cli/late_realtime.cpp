@@ -6,17 +6,19 @@
 
 namespace umbrameter {
 
-LateRealtime::LateRealtime(LateStore& store, const GlobalOptions& options, const Home& home)
+LateRealtime::LateRealtime(LateStore& store, const GlobalOptions& options, const Home& home,
+                           bool cull_casters)
     : store_(store),
       options_(options),
       home_(home),
+      cull_casters_(cull_casters),
       identity_(recall_device(store, options).value_or("")),
       renderer_([this] { return open(); }) {
   if (identity_.empty()) renderer_.renderer();
 }
 
 std::unique_ptr<Renderer> LateRealtime::open() {
-  auto opened = open_realtime_renderer(options_, home_);
+  auto opened = open_realtime_renderer(options_, home_, cull_casters_);
   const std::string found = device_identity(*opened);
   is_new_ = found != identity_;
   if (identity_.empty()) identity_ = found;

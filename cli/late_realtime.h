@@ -12,7 +12,7 @@ namespace umbrameter {
 class LateRealtime {
  public:
   /// Opens the device at once when its identity is not known.
-  LateRealtime(LateStore& store, const GlobalOptions& options, const Home& home);
+  LateRealtime(LateStore& store, const GlobalOptions& options, const Home& home, bool cull_casters);
 
   const std::string& identity() const { return identity_; }
   /// Error{environment} when it is opened and is another than was remembered.
@@ -26,6 +26,7 @@ class LateRealtime {
   LateStore& store_;
   const GlobalOptions& options_;
   const Home& home_;
+  bool cull_casters_;
   std::string identity_;  // empty: not known
   bool is_new_ = false;
   LateRenderer renderer_;

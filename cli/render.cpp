@@ -22,6 +22,7 @@ struct RenderOptions {
   std::string technique;
   std::vector<std::string> assignments;
   std::string preset;
+  bool no_skip = false;
   QualityOptions quality;
 };
 
@@ -41,7 +42,8 @@ void print_frame(const TimedRun& timed, const SceneJob& job, const TechniqueRun&
                                    {"parameters", to_text(frame.parameters)},
                                    {"device", frame.device},
                                    {"timer", timed.timer},
-                                   {"memory_bytes", frame.memory_bytes}};
+                                   {"memory_bytes", frame.memory_bytes},
+                                   {"left_out", frame.left_out}};
   answer["total_ms"] = total ? nlohmann::ordered_json(total->median_ms) : nlohmann::ordered_json(nullptr);
   print_json(answer);
 }
@@ -60,7 +62,7 @@ int render(const RenderOptions& options, const GlobalOptions& global) {
   }
   const StagedFile file(global.out.empty() ? "visibility.exr" : global.out, ".exr");
   for (const std::string& warning : job.scene.warnings) print_warning(warning);
-  const auto renderer = open_realtime_renderer(global, home);
+  const auto renderer = open_realtime_renderer(global, home, !options.no_skip);
   ProgressBar progress;
   RenderRequest request = request_of(quality);
   request.technique = run.technique;
@@ -89,6 +91,8 @@ void add_render(CLI::App& app, CommandLine& line) {
   verb->add_option("--technique", options->technique, "ID[:name=value,...]; ID may be a folder")->required();
   verb->add_option("--set", options->assignments, "name=value; repeatable")->allow_extra_args(false);
   verb->add_option("--preset", options->preset, "a preset of the technique, or a file that 'tune' wrote");
+  verb->add_flag("--no-skip", options->no_skip,
+                 "draw triangles that cannot reach the light's map, too; same picture");
   add_quality_options(*verb, options->quality);
   verb->callback(
       [options, &line] { line.verb = [options, &line] { return render(*options, line.global); }; });

@@ -208,7 +208,7 @@ int validate(const ValidateOptions& options, const GlobalOptions& global) {
   check_output(out);
   const Staging staging(out);
   LateStore store(out);
-  LateRealtime realtime(store, global, home);
+  LateRealtime realtime(store, global, home, !options.no_skip);
   LateRenderer reference([&] {
     return make_reference_renderer({.samples_per_pixel = quality.samples_per_pixel,
                                     .target_se = quality.target_se,

@@ -56,6 +56,7 @@ std::string picture_key(const Scene& scene, const RenderRequest& request) {
 struct SceneOnGpu {
   std::string key;
   SceneBuffers buffers;
+  std::vector<CasterCluster> casters;  // none where culling is off
 };
 
 /// A G-buffer with its readback and what follows from it.
@@ -160,7 +161,9 @@ class GlRenderer final : public Renderer {
     const std::string key = geometry_key(scene);
     if (!scene_ || scene_->key != key) {
       scene_.reset();  // frees the old one before the new one needs the memory
-      scene_ = std::make_shared<SceneOnGpu>(SceneOnGpu{key, SceneBuffers(scene)});
+      scene_ = std::make_shared<SceneOnGpu>(
+          SceneOnGpu{key, SceneBuffers(scene),
+                     settings_.cull_casters ? make_caster_clusters(scene) : std::vector<CasterCluster>{}});
     }
     return scene_;
   }
@@ -199,6 +202,7 @@ class GlRenderer final : public Renderer {
                            run->scene->buffers,
                            picture.gbuffer,
                            picture.receivers,
+                           run->scene->casters,
                            picture.receiver_plane_world,
                            request.seed,
                            settings_.shaders_folder};

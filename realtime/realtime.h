@@ -16,6 +16,8 @@ struct RealtimeSettings {
   std::filesystem::path shaders_folder;     // shaders/lib and shaders/shared
   /// Empty = the best device; an index or a part of the renderer string otherwise.
   std::string device;
+  /// Keep triangles that cannot reach a map out of it; the pictures are the same without.
+  bool cull_casters = true;
 };
 
 /// One EGL device as seen by `umbrameter doctor`.

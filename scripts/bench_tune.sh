@@ -2,11 +2,11 @@
 # bench_tune.sh [FOLDER]: measures the tuner and writes the tables of docs/tuning.md. Per scene and technique:
 #   grid     two or three parameters, at most 5 % of a dense grid's evaluations, against that grid, on one camera
 #   presets  every parameter that does not count work, against the defaults and presets, and on held-out cameras
-# What lies in FOLDER already is not measured again. Needs a build (scripts/build.sh ci). Half an hour on two cores of a
+# What lies in FOLDER already is not measured again. Needs a build (scripts/build.sh ci), or one that UMBRAMETER names. Half an hour on two cores of a
 # software rasteriser.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-program=build/ci/cli/umbrameter
+program=${UMBRAMETER:-build/ci/cli/umbrameter}
 folder=${1:-build/tune_bench}
 scenes=(sphere_terminator contact_hardening comb fence plate stacked_plates box_contact colonnade disk_occluder)
 size=(--width 160 --height 90 --spp 256)

@@ -84,7 +84,7 @@ void draw_pass(const Plan& plan, const Step& step, const SceneBuffers& scene_buf
   for (const UniformRange& range : step.uniforms) bind_range(plan.uniforms, range);
   if (declaration.kind == "scene") {
     set_clip_distances(declaration.state, true);
-    scene_buffers.draw();
+    step.casters ? scene_buffers.draw(*step.casters) : scene_buffers.draw();
     set_clip_distances(declaration.state, false);
   } else {
     draw_fullscreen(empty_vertex_array);

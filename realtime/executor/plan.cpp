@@ -99,7 +99,9 @@ class Planner {
     for (const std::string& name : pass_views(pass)) {
       const FittedView& fitted = views_.get(name, variables_);
       step.uniforms.push_back(view_range(binding++, fitted));
-      if (name == pass.view) step.mirrors = fitted.mirrors;
+      if (name != pass.view) continue;
+      step.mirrors = fitted.mirrors;
+      if (pass.kind == "scene") add_casters(step, fitted, pass.state.depth_clamp);
     }
     plan_.steps.push_back(std::move(step));
   }
@@ -121,6 +123,18 @@ class Planner {
     view_ranges_[&fitted] = range;
     range.binding = binding;
     return range;
+  }
+
+  void add_casters(Step& step, const FittedView& fitted, bool clamps_depth) {
+    const auto total = static_cast<uint64_t>(inputs_.scene_buffers.triangle_count());
+    plan_.scene_pass_triangles += total;
+    if (inputs_.casters.empty() || !plan_.passes[step.pass].may_cull_casters) return;
+    auto& known = casters_[{&fitted, clamps_depth}];
+    if (known == nullptr) {
+      known = std::make_shared<const IndexRanges>(casters_in_view(inputs_.casters, fitted.view, clamps_depth));
+    }
+    step.casters = known;
+    plan_.culled_triangles += total - known->triangle_count();
   }
 
   int write_level(const PassDeclaration& pass) const {
@@ -178,6 +192,7 @@ class Planner {
   ExpressionVariables variables_;
   UniformStore store_;
   std::map<const FittedView*, UniformRange> view_ranges_;
+  std::map<std::pair<const FittedView*, bool>, std::shared_ptr<const IndexRanges>> casters_;  // bool: clamped depth
   std::vector<Loop> loops_;
   Plan plan_;
 };

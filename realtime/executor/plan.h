@@ -23,6 +23,7 @@ struct Step {
   bool once = false;  // in the first frame only, untimed
   std::vector<UniformRange> uniforms;
   bool mirrors = false;
+  std::shared_ptr<const IndexRanges> casters;  // of a scene pass; none: every triangle
 };
 
 struct Plan {
@@ -35,6 +36,7 @@ struct Plan {
   std::optional<FittedView> center_view;
   std::optional<FittedView> sample_view;  // of the first sample, where maps are drawn from many
   std::vector<std::string> warnings;      // the GLSL compiler's
+  uint64_t culled_triangles = 0, scene_pass_triangles = 0;  // over all scene passes of a frame
 };
 
 /// More draws than this are refused.

@@ -70,6 +70,12 @@ const Texture* read_texture_of(PreparedPass& prepared, const PassDeclaration& pa
   return prepared.level_views.back().get();
 }
 
+std::filesystem::path vertex_file(const PassDeclaration& pass, const RunInputs& inputs) {
+  const std::filesystem::path library = inputs.shaders_folder / "lib";
+  if (pass.vertex.empty()) return library / (pass.kind == "scene" ? "light_map.vert" : "fullscreen.vert");
+  return find_shader(pass.vertex, inputs.technique.folder, inputs.shaders_folder, pass.where);
+}
+
 std::shared_ptr<const Program> compile(const PassDeclaration& pass, const RunInputs& inputs,
                                        const Targets& targets, std::span<const std::string> loop_variables,
                                        ProgramCache& programs) {
@@ -79,14 +85,11 @@ std::shared_ptr<const Program> compile(const PassDeclaration& pass, const RunInp
     const Target* target = targets.find(name);
     return target == nullptr ? nullptr : &target->texture->format();
   };
-  const auto file = [&](const std::string& name) {
-    return find_shader(name, inputs.technique.folder, inputs.shaders_folder, pass.where);
-  };
-  const std::string standard = pass.kind == "scene" ? "light_map.vert" : "fullscreen.vert";
-  const auto vertex = pass.vertex.empty() ? inputs.shaders_folder / "lib" / standard : file(pass.vertex);
-  std::vector<ShaderFile> stages = {{ShaderStage::vertex, vertex, vertex_prelude(prelude)}};
+  std::vector<ShaderFile> stages = {{ShaderStage::vertex, vertex_file(pass, inputs), vertex_prelude(prelude)}};
   if (!pass.fragment.empty()) {
-    stages.push_back({ShaderStage::fragment, file(pass.fragment), fragment_prelude(prelude)});
+    const auto fragment =
+        find_shader(pass.fragment, inputs.technique.folder, inputs.shaders_folder, pass.where);
+    stages.push_back({ShaderStage::fragment, fragment, fragment_prelude(prelude)});
   }
   return programs.get(stages);
 }
@@ -113,6 +116,8 @@ PreparedPass prepare_pass(const PassDeclaration& pass, int write_level, const Ru
                                  &target->sampler});
   }
   prepared.program = compile(pass, inputs, targets, loop_variables, programs);
+  prepared.may_cull_casters = pass.kind == "scene" && !prepared.program->names_primitive_id() &&
+                              vertex_file(pass, inputs).parent_path() == inputs.shaders_folder / "lib";
   return prepared;
 }
 

@@ -31,6 +31,9 @@ struct PreparedPass {
   Framebuffer framebuffer;
   std::vector<const TextureFormat*> color_formats;
   bool has_depth = false;
+  /// The library's vertex shader projects every triangle by the pass's view and nothing else, and no stage asks which
+  /// triangle it is: what the view clips may be left out.
+  bool may_cull_casters = false;
   std::vector<BoundTexture> textures;
   std::vector<std::unique_ptr<Texture>> level_views;  // of textures that are written too
   std::vector<Resolve> resolves;                      // after drawing

@@ -22,6 +22,7 @@ struct RunInputs {
   const SceneBuffers& scene_buffers;
   const GBuffer& gbuffer;  // also says the screen's size
   std::span<const ReceiverTile> receivers;
+  std::span<const CasterCluster> casters;  // none: every triangle is drawn into every map
   glm::dvec4 receiver_plane_world{0, 1, 0, 0};
   uint64_t seed = 1;
   std::filesystem::path shaders_folder;

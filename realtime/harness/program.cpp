@@ -118,6 +118,7 @@ Program::Program(std::span<const ShaderFile> stages, std::span<const ShaderSourc
   std::vector<Shader> shaders;
   for (size_t i = 0; i < stages.size(); ++i) {
     shaders.push_back(compile(stages[i], sources[i], warnings_));
+    names_primitive_id_ |= sources[i].text.find("gl_PrimitiveID") != std::string::npos;
     dependencies_.insert(dependencies_.end(), sources[i].dependencies.begin(), sources[i].dependencies.end());
   }
   handle_ = GlHandle<destroy_program>(glCreateProgram());

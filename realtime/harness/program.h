@@ -31,6 +31,8 @@ class Program {
   const std::vector<std::filesystem::path>& dependencies() const { return dependencies_; }
   /// Driver warnings as "file:line: text".
   const std::vector<std::string>& warnings() const { return warnings_; }
+  /// Whether a stage's text names gl_PrimitiveID: which triangles are drawn together matters to it.
+  bool names_primitive_id() const { return names_primitive_id_; }
 
  private:
   friend class ProgramCache;
@@ -38,6 +40,7 @@ class Program {
   GlHandle<destroy_program> handle_;
   std::vector<std::filesystem::path> dependencies_;
   std::vector<std::string> warnings_;
+  bool names_primitive_id_ = false;
 };
 
 /// Programs by the hash of their full text, so an edited file is noticed and an unchanged one is not

@@ -1,5 +1,7 @@
 #include "realtime/harness/scene_buffers.h"
 
+#include <numeric>
+
 namespace umbrameter {
 
 namespace {
@@ -18,6 +20,18 @@ VertexArray make_indexed_vertex_array(const Buffer& positions, const Buffer& tri
 
 }  // namespace
 
+IndexRanges::IndexRanges(std::span<const TriangleRange> triangles) {
+  for (const TriangleRange& range : triangles) {
+    counts.push_back(static_cast<GLsizei>(3 * range.count));
+    offsets.push_back(reinterpret_cast<const void*>(sizeof(glm::uvec3) * uintptr_t{range.first}));
+  }
+}
+
+size_t IndexRanges::triangle_count() const {
+  return std::accumulate(counts.begin(), counts.end(), size_t{0},
+                         [](size_t sum, GLsizei count) { return sum + static_cast<size_t>(count) / 3; });
+}
+
 SceneBuffers::SceneBuffers(const Scene& scene)
     : positions_(Buffer::of(std::span(scene.positions_world))),
       triangles_(Buffer::of(std::span(scene.triangles))),
@@ -31,6 +45,12 @@ SceneBuffers::SceneBuffers(const Scene& scene)
 void SceneBuffers::draw() const {
   glBindVertexArray(indexed_.id());
   glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * triangle_count_), GL_UNSIGNED_INT, nullptr);
+}
+
+void SceneBuffers::draw(const IndexRanges& ranges) const {
+  glBindVertexArray(indexed_.id());
+  glMultiDrawElements(GL_TRIANGLES, ranges.counts.data(), GL_UNSIGNED_INT, ranges.offsets.data(),
+                      static_cast<GLsizei>(ranges.counts.size()));
 }
 
 void SceneBuffers::draw_pulled() const {

@@ -2,7 +2,10 @@
 // A scene's triangles on the GPU, uploaded once.
 
 #include "realtime/harness/objects.h"
+#include "realtime/views/casters.h"
 #include "scenes/scene.h"
+
+#include <vector>
 
 namespace umbrameter {
 
@@ -11,12 +14,23 @@ inline constexpr GLuint kPositionsBinding = 0;  // float[3 * vertex]
 inline constexpr GLuint kTrianglesBinding = 1;  // uint[3 * triangle]
 inline constexpr GLuint kNormalsBinding = 2;    // float[3 * vertex], or 1 unused float without normals
 
+/// Ranges of triangles as glMultiDrawElements takes them.
+struct IndexRanges {
+  std::vector<GLsizei> counts;        // of indices
+  std::vector<const void*> offsets;   // bytes into the index buffer
+
+  explicit IndexRanges(std::span<const TriangleRange> triangles);
+  size_t triangle_count() const;
+};
+
 class SceneBuffers {
  public:
   explicit SceneBuffers(const Scene& scene);
 
   /// One indexed draw of every triangle; attribute location 0 = vec3 p_world. A program must be in use.
   void draw() const;
+  /// The same of these triangles alone, in one call; gl_PrimitiveID starts anew in each range.
+  void draw(const IndexRanges& ranges) const;
   /// One draw of 3 * triangle_count vertices without attributes, for shaders that pull from the storage
   /// buffers.
   void draw_pulled() const;
