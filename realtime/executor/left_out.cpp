@@ -41,10 +41,10 @@ std::vector<std::string> left_out(const RunInputs& inputs, const Plan& plan) {
         fmt::format("texture {} ({:.2f} MiB)", resource.name, bytes_of(resource, variables) / kMiB));
   }
   if (plan.culled_triangles > 0) {
-    names.push_back(fmt::format("{:.3g} % of {} triangles drawn into maps (outside them)",
-                                100.0 * static_cast<double>(plan.culled_triangles) /
-                                    static_cast<double>(plan.scene_pass_triangles),
-                                plan.scene_pass_triangles));
+    names.push_back(fmt::format(
+        "{:.3g} % of {} triangles drawn into maps (outside them)",
+        100.0 * static_cast<double>(plan.culled_triangles) / static_cast<double>(plan.scene_pass_triangles),
+        plan.scene_pass_triangles));
   }
   return names;
 }

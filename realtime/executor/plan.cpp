@@ -131,7 +131,8 @@ class Planner {
     if (inputs_.casters.empty() || !plan_.passes[step.pass].may_cull_casters) return;
     auto& known = casters_[{&fitted, clamps_depth}];
     if (known == nullptr) {
-      known = std::make_shared<const IndexRanges>(casters_in_view(inputs_.casters, fitted.view, clamps_depth));
+      known =
+          std::make_shared<const IndexRanges>(casters_in_view(inputs_.casters, fitted.view, clamps_depth));
     }
     step.casters = known;
     plan_.culled_triangles += total - known->triangle_count();
@@ -192,7 +193,8 @@ class Planner {
   ExpressionVariables variables_;
   UniformStore store_;
   std::map<const FittedView*, UniformRange> view_ranges_;
-  std::map<std::pair<const FittedView*, bool>, std::shared_ptr<const IndexRanges>> casters_;  // bool: clamped depth
+  std::map<std::pair<const FittedView*, bool>, std::shared_ptr<const IndexRanges>>
+      casters_;  // bool: clamped depth
   std::vector<Loop> loops_;
   Plan plan_;
 };

@@ -85,7 +85,8 @@ std::shared_ptr<const Program> compile(const PassDeclaration& pass, const RunInp
     const Target* target = targets.find(name);
     return target == nullptr ? nullptr : &target->texture->format();
   };
-  std::vector<ShaderFile> stages = {{ShaderStage::vertex, vertex_file(pass, inputs), vertex_prelude(prelude)}};
+  std::vector<ShaderFile> stages = {
+      {ShaderStage::vertex, vertex_file(pass, inputs), vertex_prelude(prelude)}};
   if (!pass.fragment.empty()) {
     const auto fragment =
         find_shader(pass.fragment, inputs.technique.folder, inputs.shaders_folder, pass.where);

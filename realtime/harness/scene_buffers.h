@@ -16,8 +16,8 @@ inline constexpr GLuint kNormalsBinding = 2;    // float[3 * vertex], or 1 unuse
 
 /// Ranges of triangles as glMultiDrawElements takes them.
 struct IndexRanges {
-  std::vector<GLsizei> counts;        // of indices
-  std::vector<const void*> offsets;   // bytes into the index buffer
+  std::vector<GLsizei> counts;       // of indices
+  std::vector<const void*> offsets;  // bytes into the index buffer
 
   explicit IndexRanges(std::span<const TriangleRange> triangles);
   size_t triangle_count() const;

@@ -37,6 +37,10 @@ bool is_behind(const glm::dvec4& plane, const CasterCluster& cluster) {
   return value < -kSlack * scale;
 }
 
+uint32_t end_of(const std::vector<TriangleRange>& ranges) {
+  return ranges.empty() ? 0 : ranges.back().first + ranges.back().count;
+}
+
 }  // namespace
 
 std::vector<CasterCluster> make_caster_clusters(const Scene& scene) {
@@ -65,14 +69,14 @@ std::vector<TriangleRange> casters_in_view(std::span<const CasterCluster> cluste
   for (const CasterCluster& cluster : clusters) {
     if (std::ranges::any_of(planes, [&](const glm::dvec4& plane) { return is_behind(plane, cluster); }))
       continue;
-    const bool goes_on =
-        !ranges.empty() && ranges.back().first + ranges.back().count == cluster.triangles.first;
-    if (goes_on) {
-      ranges.back().count += cluster.triangles.count;
-    } else {
-      ranges.push_back(cluster.triangles);
-    }
+    const TriangleRange& triangles = cluster.triangles;
+    if (triangles.first - end_of(ranges) >= kLeastGap) ranges.push_back({triangles.first, 0});
+    if (ranges.empty()) ranges.push_back({0, 0});
+    ranges.back().count = triangles.first + triangles.count - ranges.back().first;
   }
+  const auto total = clusters.empty() ? 0 : clusters.back().triangles.first + clusters.back().triangles.count;
+  if (!ranges.empty() && total - end_of(ranges) < kLeastGap)
+    ranges.back().count = total - ranges.back().first;
   return ranges;
 }
 

@@ -52,9 +52,8 @@ std::vector<float> plane(const Frame& frame) {
 }
 
 bool says_so(const Frame& frame) {
-  return std::ranges::any_of(frame.left_out, [](const std::string& text) {
-    return text.find("outside them") != std::string::npos;
-  });
+  return std::ranges::any_of(
+      frame.left_out, [](const std::string& text) { return text.find("outside them") != std::string::npos; });
 }
 
 ParameterValues quick(const Technique& technique) {
@@ -117,7 +116,8 @@ fragment = "show.frag"
 reads = ["ids"]
 writes = ["visibility"]
 )");
-  folder.write("show.frag", "void main() { out_visibility = texelFetch(ids, ivec2(gl_FragCoord.xy) % 64, 0).x; }");
+  folder.write("show.frag",
+               "void main() { out_visibility = texelFetch(ids, ivec2(gl_FragCoord.xy) % 64, 0).x; }");
   const Scene scene = wide_scene(light_at_4(LightType::rect, 0.5));
   const auto shown = [&](const std::string& value, bool culls) {
     folder.write("ids.frag", "void main() { out_ids = " + value + "; }");

@@ -30,8 +30,8 @@ const ReceiverTile kReceivers[] = {{{-1, 0, -1}, {1, 0.2f, 1}}};
 
 /// What GL keeps of a point, in double.
 bool is_drawn(const LightView& view, const glm::dvec3& p_world, bool clamps_depth) {
-  const glm::dvec4 clip = glm::dmat4(view.clip_from_light) * glm::dmat4(view.light_from_world) *
-                          glm::dvec4(p_world, 1.0);
+  const glm::dvec4 clip =
+      glm::dmat4(view.clip_from_light) * glm::dmat4(view.light_from_world) * glm::dvec4(p_world, 1.0);
   const bool is_beside = std::abs(clip.x) > clip.w || std::abs(clip.y) > clip.w;
   return !is_beside && clip.w > 0.0 && (clamps_depth || (clip.z >= 0.0 && clip.z <= clip.w));
 }
@@ -93,7 +93,8 @@ TEST_P(Casters, nothing_that_gl_draws_is_left_out) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Lights, Casters,
-                         testing::Values(LightType::rect, LightType::disk, LightType::sphere, LightType::sun));
+                         testing::Values(LightType::rect, LightType::disk, LightType::sphere,
+                                         LightType::sun));
 
 /// In order of place clusters are compact, as those of a real mesh.
 Scene tiled_floor(const Light& light) {
@@ -127,13 +128,13 @@ TEST(CasterClusters, FloorBesideTheMapIsLeftOut) {
 TEST(CasterClusters, WhatLiesBeyondTheReceiversIsLeftOutUnlessDepthIsClamped) {
   Scene scene;
   add_floor(scene, {4, 4});
-  for (int i = 0; i < 128; ++i) add_floor(scene, {4, 4}, -1.0 - 0.01 * i);
+  for (uint32_t i = 0; i < kLeastGap; ++i) add_floor(scene, {4, 4}, -1.0 - 0.001 * i);
   scene.lights = {light_of(LightType::rect)};
   finish_scene(scene);
   const LightView view = fit_center_view(scene, kReceivers, LightFit::visible);
-  // Two clusters: one with the floor, and one that lies below it altogether.
+  // The first cluster holds the floor; all others lie below it altogether.
   const auto clusters = make_caster_clusters(scene);
-  ASSERT_EQ(clusters.size(), 2u);
+  ASSERT_EQ(casters_in_view(clusters, view, false).size(), 1u);
   EXPECT_EQ(casters_in_view(clusters, view, false).front().count, kClusterTriangles);
   EXPECT_EQ(casters_in_view(clusters, view, true).front().count, scene.triangles.size());
 }
@@ -144,6 +145,30 @@ TEST(CasterClusters, NeighboursJoinIntoOneRange) {
   const auto ranges = casters_in_view(make_caster_clusters(scene), view, false);
   ASSERT_EQ(ranges.size(), 1u);
   EXPECT_EQ(ranges.front().count, scene.triangles.size());
+}
+
+TEST(CasterClusters, ShortGapsAreDrawn) {
+  Scene scene;
+  const auto add_triangles = [&](uint32_t count, double x) {
+    for (uint32_t i = 0; i < count / 2; ++i) add_floor(scene, {0.1, 0.1}, 0.0, {x, 0.0});
+  };
+  const uint32_t short_gap = kLeastGap - kClusterTriangles;
+  add_triangles(short_gap, 9);  // far beside the map
+  add_triangles(kClusterTriangles, 0);
+  add_triangles(short_gap, 9);
+  add_triangles(kClusterTriangles, 0);
+  add_triangles(kLeastGap, 9);
+  add_triangles(kClusterTriangles, 0);
+  add_triangles(kLeastGap, 9);
+  scene.lights = {light_of(LightType::rect)};
+  finish_scene(scene);
+  const LightView view = fit_center_view(scene, kReceivers, LightFit::visible);
+  const auto ranges = casters_in_view(make_caster_clusters(scene), view, false);
+  ASSERT_EQ(ranges.size(), 2u);
+  EXPECT_EQ(ranges[0].first, 0u);
+  EXPECT_EQ(ranges[0].count, 2 * short_gap + 2 * kClusterTriangles);
+  EXPECT_EQ(ranges[1].first, ranges[0].count + kLeastGap);
+  EXPECT_EQ(ranges[1].count, kClusterTriangles);
 }
 
 TEST(CasterClusters, SceneWithoutTrianglesHasNone) {
