@@ -1,4 +1,4 @@
-// The Renderer over EGL and GL: keeps context, programs, and the last scene's buffers and G-buffer.
+// The Renderer over EGL and GL: keeps context, programs, and the buffers and G-buffers of the scenes and cameras seen last.
 
 #include "core/clock.h"
 #include "core/hash.h"
@@ -13,6 +13,7 @@
 #include "realtime/harness/readback.h"
 #include "realtime/manifest/names.h"
 #include "realtime/realtime.h"
+#include "realtime/recently_used.h"
 #include "scenes/local_scene.h"
 
 #include <array>
@@ -20,6 +21,11 @@
 
 namespace umbrameter {
 namespace {
+
+// Tuners go round and round between a few scenes and cameras: 13 cameras at 480 x 270 px fit.
+constexpr size_t kScenesBytes = size_t{256} << 20;
+constexpr size_t kPicturesBytes = size_t{256} << 20;
+constexpr size_t kPictureBytesPerPixel = 112;  // 60 of textures, 52 of planes
 
 void hash_vector(Hasher& hasher, const glm::dvec3& v) {
   hasher.number(v.x).number(v.y).number(v.z);
@@ -54,14 +60,17 @@ std::string picture_key(const Scene& scene, const RenderRequest& request) {
 }
 
 struct SceneOnGpu {
-  std::string key;
   SceneBuffers buffers;
   std::vector<CasterCluster> casters;  // none where culling is off
 };
 
+size_t gpu_bytes(const Scene& scene) {
+  return (scene.positions_world.size() + scene.normals_world.size()) * sizeof(glm::vec3) +
+         scene.triangles.size() * sizeof(glm::uvec3);
+}
+
 /// A G-buffer with its readback and what follows from it.
 struct Picture {
-  std::string key;
   GBuffer gbuffer;
   Image image;
   std::vector<ReceiverTile> receivers;
@@ -159,32 +168,30 @@ class GlRenderer final : public Renderer {
 
   std::shared_ptr<const SceneOnGpu> scene_on_gpu(const Scene& scene) {
     const std::string key = geometry_key(scene);
-    if (!scene_ || scene_->key != key) {
-      scene_.reset();  // frees the old one before the new one needs the memory
-      scene_ = std::make_shared<SceneOnGpu>(
-          SceneOnGpu{key, SceneBuffers(scene),
-                     settings_.cull_casters ? make_caster_clusters(scene) : std::vector<CasterCluster>{}});
-    }
-    return scene_;
+    if (auto known = scenes_.find(key)) return known;
+    scenes_.make_room(gpu_bytes(scene));
+    auto made = std::make_shared<const SceneOnGpu>(
+        SceneOnGpu{SceneBuffers(scene),
+                   settings_.cull_casters ? make_caster_clusters(scene) : std::vector<CasterCluster>{}});
+    scenes_.keep(key, made, gpu_bytes(scene));
+    return made;
   }
 
   std::shared_ptr<const Picture> picture_of(const Scene& scene, const RenderRequest& request) {
     const std::string key = picture_key(scene, request);
-    if (picture_ && picture_->key == key) return picture_;
-    picture_.reset();
+    if (auto known = pictures_.find(key)) return known;
+    const size_t pixels = static_cast<size_t>(request.width_px) * static_cast<size_t>(request.height_px);
+    pictures_.make_room(pixels * kPictureBytesPerPixel);
     const std::shared_ptr<const SceneOnGpu> on_gpu = scene_on_gpu(scene);
-    Picture picture{key,
-                    GBuffer(request.width_px, request.height_px),
-                    Image(request.width_px, request.height_px),
-                    {},
-                    {}};
-    gbuffer_renderer_.render(scene, on_gpu->buffers, picture.gbuffer);
+    auto picture = std::make_shared<Picture>(Picture{
+        GBuffer(request.width_px, request.height_px), Image(request.width_px, request.height_px), {}, {}});
+    gbuffer_renderer_.render(scene, on_gpu->buffers, picture->gbuffer);
     check_gl_errors("G-buffer");
-    read_gbuffer(picture.gbuffer, picture.image);
-    picture.receivers = receiver_tiles(picture.image);
-    picture.receiver_plane_world = receiver_plane(picture.image);
-    picture_ = std::make_shared<Picture>(std::move(picture));
-    return picture_;
+    read_gbuffer(picture->gbuffer, picture->image);
+    picture->receivers = receiver_tiles(picture->image);
+    picture->receiver_plane_world = receiver_plane(picture->image);
+    pictures_.keep(key, picture, pixels * kPictureBytesPerPixel);
+    return picture;
   }
 
   std::shared_ptr<GlRun> make_run(const Scene& scene, const RenderRequest& request, bool is_timed) {
@@ -270,8 +277,8 @@ class GlRenderer final : public Renderer {
   GBufferRenderer gbuffer_renderer_;
   VertexArray empty_vertex_array_;
   std::optional<TimerKind> timer_;
-  std::shared_ptr<const SceneOnGpu> scene_;  // runs share both
-  std::shared_ptr<const Picture> picture_;
+  RecentlyUsed<SceneOnGpu> scenes_{kScenesBytes};  // runs share both
+  RecentlyUsed<Picture> pictures_{kPicturesBytes};
 };
 
 }  // namespace
