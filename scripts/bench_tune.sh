@@ -9,7 +9,7 @@ cd "$(dirname "$0")/.."
 program=${UMBRAMETER:-build/ci/cli/umbrameter}
 folder=${1:-build/tune_bench}
 scenes=(sphere_terminator contact_hardening comb fence plate stacked_plates box_contact colonnade disk_occluder)
-size=(--width 160 --height 90 --spp 256)
+size=(--width 320 --height 180 --spp 256)
 patience=60min
 # technique, parameters, most evaluations (5 % of the grid), steps of the grid
 techniques=(

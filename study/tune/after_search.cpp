@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/statistics.h"
+#include "metrics/bootstrap.h"
 #include "study/guard.h"
 
 #include <algorithm>
@@ -13,11 +14,19 @@ namespace {
 
 double score_on(const Judge& judge, bool is_held_out, Candidate& candidate) {
   std::vector<std::optional<ObjectiveValue>> measures;
-  for (size_t i = 0; i < judge.views().size(); ++i) {
-    measures.push_back(judge.measure(i, candidate.values));
-    candidate.scores.push_back({judge.views()[i].name, is_held_out, measures.back()});
+  for (size_t i = 0; i < judge.views().size(); ++i) measures.push_back(judge.measure(i, candidate.values));
+  const std::vector<double> ratios = judge.ratios_of(measures);
+  for (size_t i = 0; i < ratios.size(); ++i)
+    candidate.scores.push_back({judge.views()[i].name, is_held_out, measures[i], ratios[i]});
+  return mean_of(ratios);
+}
+
+std::vector<double> ratios_in(const Candidate& candidate, bool is_held_out) {
+  std::vector<double> ratios;
+  for (const ViewScore& score : candidate.scores) {
+    if (score.is_held_out == is_held_out) ratios.push_back(score.ratio);
   }
-  return mean_of(judge.ratios_of(measures));
+  return ratios;
 }
 
 std::optional<double> rise(Judge& judge, ParameterValues values, const std::string& name,
@@ -87,6 +96,22 @@ double grid_position(const Parameter& axis, size_t level, size_t count) {
 void score_candidate(const Judge& trained, const Judge* held_out, Candidate& candidate) {
   candidate.ratio = score_on(trained, false, candidate);
   if (held_out != nullptr) candidate.held_out_ratio = score_on(*held_out, true, candidate);
+}
+
+std::optional<Interval> gain_over(const Judge& judge, bool is_held_out, const Candidate& tuned,
+                                  const Candidate& candidate) {
+  if (judge.views().size() == 1) return judge.gain_on(0, tuned.values, candidate.values);
+  std::vector<double> gains = ratios_in(candidate, is_held_out);
+  const std::vector<double> ours = ratios_in(tuned, is_held_out);
+  for (size_t i = 0; i < gains.size(); ++i) gains[i] -= ours[i];
+  const double mean = mean_of(gains);
+  if (!std::isfinite(mean)) return std::nullopt;
+  double squares = 0.0;
+  for (const double gain : gains) squares += (gain - mean) * (gain - mean);
+  const auto n = static_cast<double>(gains.size());
+  const double half =
+      student_t_975(static_cast<int>(gains.size()) - 1) * std::sqrt(squares / (n * (n - 1.0)));
+  return Interval{mean, mean - half, mean + half};
 }
 
 std::vector<Sensitivity> measure_sensitivities(Judge& judge, const SearchSpace& space,

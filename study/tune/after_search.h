@@ -14,6 +14,10 @@ using GoesOn = std::function<bool()>;
 /// Sets scores and ratios on the judges' views; `held_out` may be null.
 void score_candidate(const Judge& trained, const Judge* held_out, Candidate& candidate);
 
+/// `candidate.gain` or `held_out_gain`, of two candidates scored by `judge`.
+std::optional<Interval> gain_over(const Judge& judge, bool is_held_out, const Candidate& tuned,
+                                  const Candidate& candidate);
+
 /// One step from `best` on every axis; axes from where the time is up are left out.
 std::vector<Sensitivity> measure_sensitivities(Judge& judge, const SearchSpace& space,
                                                const SearchResult& search, const GoesOn& goes_on);

@@ -1,7 +1,6 @@
 #include "study/tune/judge.h"
 
 #include "core/error.h"
-#include "metrics/bootstrap.h"
 #include "metrics/verdict.h"
 #include "study/guard.h"
 
@@ -40,32 +39,6 @@ Judge::Judge(Studio& studio, std::vector<View> views, Objective objective, const
 
 double Judge::ratio(const ParameterValues& values) {
   return mean_of(ratios(values));
-}
-
-bool Judge::is_worse(const ParameterValues& worse, const ParameterValues& better, double least) {
-  const std::vector<double> high = ratios(worse), low = ratios(better);
-  const double difference = mean_of(high) - mean_of(low);
-  if (!(difference > least * std::abs(mean_of(low)))) return false;
-  const size_t count = views_.size();
-  if (count == 1 || !std::isfinite(difference)) return true;
-  double squares = 0.0;
-  for (size_t i = 0; i < count; ++i) squares += std::pow(high[i] - low[i] - difference, 2.0);
-  const double n = static_cast<double>(count);
-  return difference > student_t_975(static_cast<int>(count) - 1) * std::sqrt(squares / (n * (n - 1.0)));
-}
-
-std::optional<Interval> Judge::gain(const ParameterValues& ours, const ParameterValues& other) const {
-  if (objective_ != Objective::rmse) return std::nullopt;
-  double value = 0.0, below = 0.0, above = 0.0;  // the last two squared: views are independent
-  for (size_t i = 0; i < views_.size(); ++i) {
-    const auto here = gain_on(i, ours, other);
-    if (!here) return std::nullopt;
-    value += here->value;
-    below += std::pow(here->value - here->low, 2.0);
-    above += std::pow(here->high - here->value, 2.0);
-  }
-  const auto count = static_cast<double>(views_.size());
-  return Interval{value / count, (value - std::sqrt(below)) / count, (value + std::sqrt(above)) / count};
 }
 
 /// A difference of squares, which pairs, is the difference of the roots times their sum.

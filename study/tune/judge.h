@@ -23,13 +23,13 @@ class Judge {
   /// Infinite when a view has no objective or fails. Never renders the same values twice.
   double ratio(const ParameterValues& values);
 
-  /// Whether `worse` has a larger objective than `better` on the views as a whole: by more than `least`, a share of the
-  /// better one's, and for several views beyond the 95 % interval of their differences, too.
-  bool is_worse(const ParameterValues& worse, const ParameterValues& better, double least);
+  /// The same on each view.
+  const std::vector<double>& ratios(const ParameterValues& values);
 
-  /// How much larger `other`'s ratio is than that of `ours`, with its 95 % interval, pixel paired with pixel: positive where
-  /// ours is better. Absent for objectives other than rmse, and where a picture fails.
-  std::optional<Interval> gain(const ParameterValues& ours, const ParameterValues& other) const;
+  /// How much larger `other`'s ratio is than that of `ours` on one view, with its 95 % interval, pixel paired with pixel:
+  /// positive where ours is better. Absent for objectives other than rmse, and where a picture fails.
+  std::optional<Interval> gain_on(size_t view, const ParameterValues& ours,
+                                  const ParameterValues& other) const;
 
   /// On one view, with its interval; absent as above.
   std::optional<ObjectiveValue> measure(size_t view, const ParameterValues& values) const;
@@ -42,9 +42,6 @@ class Judge {
 
  private:
   std::optional<ObjectiveValue> measure(size_t view, const ParameterValues& values, bool with_interval) const;
-  std::optional<Interval> gain_on(size_t view, const ParameterValues& ours,
-                                  const ParameterValues& other) const;
-  const std::vector<double>& ratios(const ParameterValues& values);
 
   Studio& studio_;
   std::vector<View> views_;

@@ -5,28 +5,19 @@
 #include "study/guard.h"
 #include "study/tune/after_search.h"
 #include "study/tune/candidates.h"
+#include "study/tune/settle.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <map>
 #include <set>
 
 namespace umbrameter {
 namespace {
 
-constexpr double kCoarseShare = 0.5;     // of the search's evaluations and time
-constexpr double kSearchShare = 0.7;     // of the time
-constexpr double kWorthChanging = 2e-3;  // of the objective, by all changes together
-constexpr size_t kKept = 5;              // coarse trials that are tried at full size
-
-std::vector<View> make_views(Studio& studio, std::span<SceneJob> scenes, const Fidelity& fidelity,
-                             int cameras) {
-  std::vector<View> views;
-  for (SceneJob& job : scenes) {
-    for (View& view : make_trained_views(studio, job, fidelity, cameras)) views.push_back(std::move(view));
-  }
-  return views;
-}
+constexpr double kCoarseShare = 0.5;  // of the search's evaluations and time
+constexpr double kSearchShare = 0.7;  // of the time
+constexpr size_t kKept = 5;           // coarse trials that are tried at full size
 
 size_t default_evaluations(size_t axes) {
   return 40 + 20 * axes;
@@ -55,18 +46,21 @@ class Tuning {
         studio_(realtime, plan.technique.technique, plan.seed, progress) {}
 
   TuneResult run() {
-    Judge judge(studio_, make_views(studio_, scenes_, plan_.full, plan_.cameras), plan_.objective, base());
+    Judge judge(studio_, searched_views(plan_.full), plan_.objective, base());
+    std::optional<Judge> checked = plan_.cameras > 1 ? judge_elsewhere(judge, kCheckedShares) : std::nullopt;
     start_search_ = Clock::now();
     progress_.begin("tuning " + plan_.technique.id, evaluations());
     SearchResult found = search(judge);
-    simplify(judge, found);
+    const ParameterValues kept = settle(space_, found, by_hand(), judge, checked ? &*checked : nullptr);
+    found.best = {kept, point_of(space_, kept), judge.ratio(kept)};
     result_.evaluations = result_.coarse_evaluations + judge.evaluations();
     progress_.end();
     result_.best.name = "tuned";
-    result_.best.values = found.best.values;
+    result_.best.values = kept;
     result_.full_trials = found.trials;
     result_.is_converged = found.is_converged;
-    std::optional<Judge> held_out = make_held_out(judge);
+    std::optional<Judge> held_out = judge_elsewhere(judge, kHeldOutShares);
+    if (!held_out) result_.notes.push_back("no held-out score: no other camera sees enough");
     compare(judge, held_out, true);
     explain(judge, found);
     compare(judge, held_out, false);
@@ -108,12 +102,11 @@ class Tuning {
 
   SearchResult search(Judge& judge) {
     const double share = kSearchShare;
-    // simplify() may ask for one more an axis.
+    // settle() may ask for one more an axis.
     const size_t count = evaluations() - std::min(evaluations() / 2, space_.size());
     if (!plan_.coarse)
       return minimise(space_, starts(), base(), counted(judge), {count, time_is_up_after(share)});
-    Judge coarse(studio_, make_views(studio_, scenes_, *plan_.coarse, plan_.cameras), plan_.objective,
-                 base());
+    Judge coarse(studio_, searched_views(*plan_.coarse), plan_.objective, base());
     const auto coarse_count = static_cast<size_t>(kCoarseShare * static_cast<double>(count));
     const SearchResult first = minimise(space_, starts(), base(), counted(coarse),
                                         {coarse_count, time_is_up_after(kCoarseShare * share)});
@@ -123,49 +116,42 @@ class Tuning {
                     {count - std::min(count, first.trials.size()), time_is_up_after(share)}, first.effects);
   }
 
-  /// The best of the defaults and presets: what to keep to where a change is not shown to be worth it.
-  ParameterValues best_by_hand(Judge& judge) const {
-    ParameterValues best = base();
-    for (const ParameterValues& values : starts()) {
-      const ParameterValues here = values_at(space_, point_of(space_, values), base());
-      if (judge.ratio(here) < judge.ratio(best)) best = here;
-    }
-    return best;
+  /// As they are rendered: a preset's values in the search's digits.
+  std::vector<ParameterValues> by_hand() const {
+    std::vector<ParameterValues> all;
+    for (const ParameterValues& values : starts())
+      all.push_back(values_at(space_, point_of(space_, values), base()));
+    return all;
   }
 
-  /// Puts back what was not worth changing: all of it if the best by hand is as good, else value by value, the weakest
-  /// first. Plain presets, and less learned of how texels happen to lie in a few pictures.
-  void simplify(Judge& judge, SearchResult& found) const {
-    const ParameterValues by_hand = best_by_hand(judge);
-    std::vector<size_t> order(space_.size());
-    std::iota(order.begin(), order.end(), size_t{0});
-    std::ranges::stable_sort(order, {}, [&](size_t i) { return found.effects[i].relative_spread; });
-    ParameterValues plain = found.best.values;
-    if (!judge.is_worse(by_hand, found.best.values, kWorthChanging)) plain = by_hand;
-    for (const size_t i : order) {
-      const std::string& name = space_[i].name;
-      ParameterValues plainer = plain;
-      plainer[name] = by_hand.at(name);
-      if (plainer == plain || judge.is_worse(plainer, found.best.values, kWorthChanging)) continue;
-      // One camera's ruin is no certain difference: never end up worse than by hand.
-      if (judge.ratio(plainer) <= judge.ratio(by_hand)) plain = plainer;
-    }
-    found.best = {plain, point_of(space_, plain), judge.ratio(plain)};
-  }
-
-  std::optional<Judge> make_held_out(const Judge& judge) {
+  /// Each scene's own camera, and with several those beside it.
+  std::vector<View> searched_views(const Fidelity& fidelity) {
     std::vector<View> views;
     for (SceneJob& job : scenes_) {
-      const View& own = *std::ranges::find(judge.views(), job.name, &View::name);
-      for (View& view : make_held_out_views(studio_, job, own, result_.notes))
-        views.push_back(std::move(view));
+      views.push_back(studio_.make_view(job, 0.0, fidelity));
+      if (plan_.cameras == 1) continue;
+      for (View& view : turned_views(views.back(), kSearchedShares)) views.push_back(std::move(view));
     }
-    std::optional<Judge> held_out;
-    if (views.empty()) return held_out;
-    const auto failure =
-        guarded([&] { held_out.emplace(studio_, std::move(views), plan_.objective, base()); });
-    if (failure) result_.notes.push_back("no held-out score: " + failure->message);
-    return held_out;
+    return views;
+  }
+
+  std::vector<View> turned_views(const View& own, std::span<const double> shares) {
+    const auto [arc, is_new] = arcs_.try_emplace(own.job->name);
+    if (is_new) arc->second = find_arc(studio_, own);
+    return make_turned_views(studio_, own, arc->second, shares);
+  }
+
+  /// On cameras that nothing was searched with; absent where there is none to judge on.
+  std::optional<Judge> judge_elsewhere(const Judge& judge, std::span<const double> shares) {
+    std::vector<View> views;
+    for (const View& view : judge.views()) {
+      if (view.angle_deg != 0.0) continue;
+      for (View& turned : turned_views(view, shares)) views.push_back(std::move(turned));
+    }
+    std::optional<Judge> elsewhere;
+    if (views.empty()) return elsewhere;
+    guarded([&] { elsewhere.emplace(studio_, std::move(views), plan_.objective, base()); });
+    return elsewhere;
   }
 
   /// Those of the same cost come first and always; own maps of 4096 texels may take longer than the search.
@@ -179,8 +165,8 @@ class Tuning {
         continue;
       }
       score_candidate(judge, others, candidate);
-      candidate.gain = judge.gain(result_.best.values, candidate.values);
-      if (others != nullptr) candidate.held_out_gain = others->gain(result_.best.values, candidate.values);
+      candidate.gain = gain_over(judge, false, result_.best, candidate);
+      if (others != nullptr) candidate.held_out_gain = gain_over(*others, true, result_.best, candidate);
       result_.others.push_back(candidate);
     }
   }
@@ -213,6 +199,7 @@ class Tuning {
   SearchSpace space_;
   std::vector<Candidate> candidates_;
   Studio studio_;
+  std::map<std::string, Arc> arcs_;  // by scene
   TuneResult result_;
 };
 

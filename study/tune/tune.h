@@ -39,6 +39,7 @@ struct ViewScore {
   std::string view;
   bool is_held_out = false;
   std::optional<ObjectiveValue> objective;  // absent: nothing to measure, or the run failed
+  double ratio = 0.0;                       // to the default's; infinite without one
 };
 
 /// One way to set the technique, measured everywhere.
@@ -50,7 +51,8 @@ struct Candidate {
   /// Mean over views of objective / default's; infinite when one is missing.
   double ratio = 0.0;
   std::optional<double> held_out_ratio;  // absent without held-out views
-  /// Of the tuned values over this one, as Judge::gain has it; absent for the tuned values themselves.
+  /// How much larger its ratio is than that of the tuned values, with a 95 % interval over the cameras (Student; of one
+  /// camera: Judge::gain_on). Absent for the tuned values themselves, and where a picture fails.
   std::optional<Interval> gain, held_out_gain;
 };
 

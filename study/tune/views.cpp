@@ -13,13 +13,7 @@
 namespace umbrameter {
 namespace {
 
-/// A camera turned so far to one side, and nearer where it does not see enough from there.
-struct Turn {
-  double far_deg = 0.0, near_deg = 0.0;
-};
-// Those held out lie between those tuned on, also where both come nearer.
-constexpr std::array kTrained = {Turn{10.0, 5.0}, Turn{26.0, 17.0}};
-constexpr Turn kHeldOut = {20.0, 14.0};
+constexpr std::array kArcs_deg = {26.0, 13.0, 6.5};
 constexpr std::array kSides = {-1.0, 1.0};
 constexpr double kLeastShare =
     0.3;  // of the covered and of the shadowed pixels of the camera that was tuned on
@@ -55,22 +49,27 @@ Sight sight_of(const View& view) {
   return sight;
 }
 
-bool sees_enough(const View& view, const View& trained) {
-  const Sight now = sight_of(view), before = sight_of(trained);
+bool sees_enough(const View& view, const View& own) {
+  const Sight now = sight_of(view), before = sight_of(own);
   return now.scored >= kLeastShare * before.scored && now.shadow >= kLeastShare * before.shadow;
+}
+
+std::string name_of(const SceneJob& job, double angle_deg) {
+  return angle_deg == 0.0 ? job.name : fmt::format("{}, {:+.4g} deg", job.name, angle_deg);
 }
 
 }  // namespace
 
-View Studio::make_view(SceneJob& job, const Camera& camera, const std::string& name,
-                       const Fidelity& fidelity) {
-  View view{name, &job, camera, fidelity, {}, {}};
+View Studio::make_view(SceneJob& job, double angle_deg, const Fidelity& fidelity) {
+  const Camera& own = job.scene.camera;
+  const Camera camera = angle_deg == 0.0 ? own : orbit(own, angle_deg);
+  View view{name_of(job, angle_deg), &job, angle_deg, camera, fidelity, {}, {}};
   view.reference = render(*fidelity.reference, view, {}, {}, progress_).image;
   const Frame surfaces = render(realtime_, view, {}, {}, silent_);
   const double eye_world[3] = {camera.eye_world.x, camera.eye_world.y, camera.eye_world.z};
   const Parity parity = compare_surfaces(surfaces.image, view.reference, eye_world);
   if (!parity.passes) {
-    fail_input(fmt::format("{}: the renderers agree on {:.2f} % of the pixels only", name,
+    fail_input(fmt::format("{}: the renderers agree on {:.2f} % of the pixels only", view.name,
                            100.0 * parity.agreement));
   }
   view.mask = scored_mask(parity, view.reference);
@@ -107,45 +106,33 @@ Camera orbit(const Camera& camera, double angle_deg) {
 
 namespace {
 
-/// Absent when it is not comparable or does not see enough.
-std::optional<View> turned_view(Studio& studio, SceneJob& job, const View& trained, double angle_deg) {
+std::optional<View> turned_view(Studio& studio, const View& own, double angle_deg) {
   std::optional<View> view;
-  guarded([&] {
-    view = studio.make_view(job, orbit(trained.camera, angle_deg),
-                            fmt::format("{}, {:+.0f} deg", job.name, angle_deg), trained.fidelity);
-  });
-  return view && sees_enough(*view, trained) ? std::move(view) : std::nullopt;
+  guarded([&] { view = studio.make_view(*own.job, angle_deg, own.fidelity); });
+  return view;
 }
 
-std::optional<View> turned_view(Studio& studio, SceneJob& job, const View& trained, const Turn& turn,
-                                double side) {
-  auto view = turned_view(studio, job, trained, side * turn.far_deg);
-  return view ? std::move(view) : turned_view(studio, job, trained, side * turn.near_deg);
+double find_reach(Studio& studio, const View& own, double side) {
+  for (const double angle_deg : kArcs_deg) {
+    const auto view = turned_view(studio, own, side * angle_deg);
+    if (view && sees_enough(*view, own)) return angle_deg;
+  }
+  return 0.0;
 }
 
 }  // namespace
 
-std::vector<View> make_trained_views(Studio& studio, SceneJob& job, const Fidelity& fidelity, int count) {
-  std::vector<View> views;
-  views.push_back(studio.make_view(job, job.scene.camera, job.name, fidelity));
-  if (count == 1) return views;
-  for (const Turn& turn : kTrained) {
-    for (const double side : kSides) {
-      if (auto view = turned_view(studio, job, views.front(), turn, side)) views.push_back(std::move(*view));
-    }
-  }
-  return views;
+Arc find_arc(Studio& studio, const View& own) {
+  return {find_reach(studio, own, kSides[0]), find_reach(studio, own, kSides[1])};
 }
 
-std::vector<View> make_held_out_views(Studio& studio, SceneJob& job, const View& trained,
-                                      std::vector<std::string>& notes) {
+std::vector<View> make_turned_views(Studio& studio, const View& own, const Arc& arc,
+                                    std::span<const double> shares) {
   std::vector<View> views;
-  for (const double side : kSides) {
-    if (auto view = turned_view(studio, job, trained, kHeldOut, side)) {
-      views.push_back(std::move(*view));
-    } else {
-      notes.push_back(fmt::format("{}: no held-out camera at {:+.0f} degrees sees enough", job.name,
-                                  side * kHeldOut.near_deg));
+  for (const double share : shares) {
+    for (const double angle_deg : {-arc.left_deg * share, arc.right_deg * share}) {
+      if (angle_deg == 0.0) continue;
+      if (auto view = turned_view(studio, own, angle_deg)) views.push_back(std::move(*view));
     }
   }
   return views;

@@ -5,6 +5,8 @@
 #include "study/tune/objective.h"
 #include "study/validation.h"
 
+#include <array>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,8 +20,9 @@ struct Fidelity {
 };
 
 struct View {
-  std::string name;  // "plate", "plate, +20 deg"
+  std::string name;  // "plate", "plate, +13 deg"
   SceneJob* job = nullptr;
+  double angle_deg = 0.0;  // from the scene's camera, around what that looks at
   Camera camera;
   Fidelity fidelity;
   Image reference;
@@ -32,8 +35,8 @@ class Studio {
   Studio(Renderer& realtime, std::string technique, uint64_t seed, Progress& progress)
       : realtime_(realtime), technique_(std::move(technique)), seed_(seed), progress_(progress) {}
 
-  /// Error{input} when the renderers disagree there, so that no number would count.
-  View make_view(SceneJob& job, const Camera& camera, const std::string& name, const Fidelity& fidelity);
+  /// The scene's camera turned by so much. Error{input} when the renderers disagree there, so that no number would count.
+  View make_view(SceneJob& job, double angle_deg, const Fidelity& fidelity);
   Frame render(const View& view, const ParameterValues& values);
 
  private:
@@ -50,14 +53,24 @@ class Studio {
 /// The camera turned around what it looks at, about its up direction.
 Camera orbit(const Camera& camera, double angle_deg);
 
-/// The scene's camera, and with `count` = 5 also those turned by 10 and 26 degrees to either side (5 and 17 where the
-/// further one does not see enough of the scene and of its shadow). Tuned on one picture alone, values learn how the map's
-/// texels happen to lie in it. Error{input} when the first is not comparable.
-std::vector<View> make_trained_views(Studio& studio, SceneJob& job, const Fidelity& fidelity, int count);
+/// How far the cameras of a scene go to the left and to the right, in degrees; 0 where none sees enough.
+struct Arc {
+  double left_deg = 0.0, right_deg = 0.0;
+};
 
-/// Cameras turned 20 degrees to either side, or 14 where the further one does not see enough: between those tuned on, and
-/// none of them. `notes` name those left out. `trained` is the scene's own camera.
-std::vector<View> make_held_out_views(Studio& studio, SceneJob& job, const View& trained,
-                                      std::vector<std::string>& notes);
+/// 26 degrees to either side, or a half or a quarter of that where the outermost camera does not see 30 % of the scene and of
+/// the shadow that the scene's own sees. `own` is that one's view.
+Arc find_arc(Studio& studio, const View& own);
+
+/// Cameras between 0 (the scene's own) and 1 (the arc's end) of either side of an arc; the one at 0 is made apart. Those
+/// searched with, those that say whether what was found holds elsewhere, and those that are scored and never asked: no two
+/// of them share a camera, and each set is spread over the arc.
+inline constexpr std::array kSearchedShares = {0.5, 1.0};
+inline constexpr std::array kCheckedShares = {0.25, 0.75};
+inline constexpr std::array kHeldOutShares = {0.125, 0.375, 0.625, 0.875};
+
+/// Views from there, as `own` is made. Where the renderers disagree a camera is left out.
+std::vector<View> make_turned_views(Studio& studio, const View& own, const Arc& arc,
+                                    std::span<const double> shares);
 
 }  // namespace umbrameter

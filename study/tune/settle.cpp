@@ -1,0 +1,75 @@
+#include "study/tune/settle.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace umbrameter {
+namespace {
+
+constexpr size_t kFinalists = 5;
+
+class Settling {
+ public:
+  Settling(Judge& searched, Judge* checked) : searched_(searched), checked_(checked) {}
+
+  const ParameterValues& best_of(std::span<const ParameterValues> all) {
+    return *std::ranges::min_element(all, {}, [&](const ParameterValues& values) { return score(values); });
+  }
+
+  bool is_worse_somewhere(const ParameterValues& values, const ParameterValues& other) {
+    if (searched_.ratio(values) > searched_.ratio(other)) return true;
+    return checked_ != nullptr && checked_->ratio(values) > checked_->ratio(other);
+  }
+
+  bool is_worth(const ParameterValues& change, const ParameterValues& plain) {
+    return score(plain) > (1.0 + kWorthChanging) * score(change) && !is_worse_somewhere(change, plain);
+  }
+
+ private:
+  /// Mean ratio over all cameras.
+  double score(const ParameterValues& values) {
+    std::vector<double> ratios = searched_.ratios(values);
+    if (checked_ != nullptr) {
+      const std::vector<double>& more = checked_->ratios(values);
+      ratios.insert(ratios.end(), more.begin(), more.end());
+    }
+    return mean_of(ratios);
+  }
+
+  Judge& searched_;
+  Judge* checked_;
+};
+
+std::vector<ParameterValues> finalists_of(const SearchResult& found) {
+  std::vector<const Trial*> order;
+  for (const Trial& trial : found.trials) order.push_back(&trial);
+  std::ranges::stable_sort(order, {}, &Trial::objective);
+  order.resize(std::min(order.size(), kFinalists));
+  std::vector<ParameterValues> finalists;
+  for (const Trial* trial : order) finalists.push_back(trial->values);
+  return finalists;
+}
+
+}  // namespace
+
+ParameterValues settle(const SearchSpace& space, const SearchResult& found,
+                       std::span<const ParameterValues> by_hand, Judge& searched, Judge* checked) {
+  Settling settling(searched, checked);
+  const ParameterValues plain = settling.best_of(by_hand);
+  const std::vector<ParameterValues> finalists = finalists_of(found);
+  const ParameterValues best = settling.best_of(finalists);
+  if (!settling.is_worth(best, plain)) return plain;
+  std::vector<size_t> weakest_first(space.size());
+  std::iota(weakest_first.begin(), weakest_first.end(), size_t{0});
+  std::ranges::stable_sort(weakest_first, {}, [&](size_t i) { return found.effects[i].relative_spread; });
+  ParameterValues kept = best;
+  for (const size_t i : weakest_first) {
+    ParameterValues plainer = kept;
+    plainer[space[i].name] = plain.at(space[i].name);
+    if (settling.is_worth(best, plainer) || settling.is_worse_somewhere(plainer, plain)) continue;
+    kept = plainer;
+  }
+  return kept;
+}
+
+}  // namespace umbrameter
