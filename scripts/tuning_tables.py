@@ -8,7 +8,7 @@ import sys
 BEGIN, END = "<!-- measured: scripts/bench_tune.sh writes from here -->", "<!-- to here -->"
 TARGET_OVER_GRID = 1.02
 TARGET_SHARE = 0.05
-OWN_LEVELS = {"low", "medium", "high", "reference"}  # ours, not a paper's or an engine's
+OWN = {"default", "low", "medium", "high", "reference"}  # ours, not a paper's or an engine's
 
 
 def load(folder, kind):
@@ -35,17 +35,21 @@ def over_grid(result):
 
 
 def rivals(result):
-    """Defaults and presets of papers and engines at the same cost."""
-    return [c for c in result["others"] if c["same_cost"] and not set(c["name"].split(", ")) <= OWN_LEVELS]
+    """Presets of papers and engines at the same cost."""
+    return [c for c in result["others"] if c["same_cost"] and not set(c["name"].split(", ")) <= OWN]
+
+
+def default_of(result):
+    return [c for c in result["others"] if "default" in c["name"].split(", ")]
 
 
 def best_rival(result, key):
     return min(rivals(result), key=lambda c: c[key] if c[key] is not None else float("inf"), default=None)
 
 
-def outcome(result, gain):
-    """Against every rival, beyond the interval: won if all are beaten, lost if one is better."""
-    gains = [c[gain] for c in rivals(result)]
+def outcome(against, gain):
+    """Against every one of them, beyond the interval: won if all are beaten, lost if one is better."""
+    gains = [c[gain] for c in against]
     if not gains or any(g is None for g in gains):
         return "none"
     if any(g["high"] < 0 for g in gains):
@@ -58,7 +62,7 @@ def against(result):
         ours, best = result["best"][key], best_rival(result, key)
         if ours is None or best is None or best[key] is None:
             return "n/a"
-        word = outcome(result, gain)
+        word = outcome(rivals(result), gain)
         return f"{ours:.3f} / {best[key]:.3f}" + {"lost": " **lost**", "tied": " tied"}.get(word, "")
 
     return f"{text('ratio', 'gain')}; {text('held_out_ratio', 'held_out_gain')}"
@@ -78,6 +82,8 @@ def windows(results):
 
 
 def grid_part(results):
+    if not results:
+        return "Not measured."
     ratios = [over_grid(r) for r in results.values()]
     within = sum(r <= TARGET_OVER_GRID for r in ratios)
     cheap = sum(r["evaluations"] <= TARGET_SHARE * r["grid"]["evaluations"] for r in results.values())
@@ -89,21 +95,23 @@ def grid_part(results):
 
 
 def presets_part(results):
-    def count(gain):
-        outcomes = [outcome(r, gain) for r in results.values()]
+    def count(gain, against):
+        outcomes = [outcome(against(r), gain) for r in results.values()]
         return ", ".join(f"{outcomes.count(word)} {word}" for word in ("won", "tied", "lost"))
 
-    def kept(result):
-        return any(c["parameters"] == result["best"]["parameters"] for c in rivals(result))
+    def keeps(result, against):
+        return any(c["parameters"] == result["best"]["parameters"] for c in against(result))
 
     worse = [(f"{t} on {s} against {c['name']}: {-c[g]['value']:.4f} [{-c[g]['high']:.4f}, {-c[g]['low']:.4f}] {where}")
              for (s, t), r in results.items() for c in rivals(r)
              for g, where in (("gain", "tuned on"), ("held_out_gain", "held out")) if c[g] and c[g]["high"] < 0]
     return (
-        f"{len(results)} pairs. Tuned / best of default and presets in hindsight, as ratios to the default: on the cameras tuned "
-        f"on; on held-out cameras. Tuned on: {count('gain')}. Held out: {count('held_out_gain')}. In {sum(map(kept, results.values()))} "
-        "pairs the tuner kept to a setting it was given. Won: better than every rival beyond the 95 % interval of the paired "
-        "difference; lost: worse than one beyond it.\n\n" + table(results, against)
+        f"{len(results)} pairs. Against papers' and engines' presets at the same cost: on the cameras searched {count('gain', rivals)}; "
+        f"held out {count('held_out_gain', rivals)}; in {sum(keeps(r, rivals) for r in results.values())} pairs the tuner kept to one of "
+        f"them. Against the technique's own default: {count('gain', default_of)}; held out {count('held_out_gain', default_of)}; "
+        f"{sum(keeps(r, default_of) for r in results.values())} kept. Won: better than every one of them beyond the 95 % interval of the "
+        "difference over the cameras; lost: worse than one beyond it. In the table: tuned / the best of these presets in hindsight, as "
+        "ratios to the default, on the cameras searched; on those held out.\n\n" + table(results, against)
         + "\n\n" + ("Lost: " + "; ".join(worse) + "." if worse else "Nothing is lost.")
     )
 

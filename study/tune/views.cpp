@@ -16,7 +16,7 @@ namespace {
 constexpr std::array kArcs_deg = {26.0, 13.0, 6.5};
 constexpr std::array kSides = {-1.0, 1.0};
 constexpr double kLeastShare =
-    0.3;  // of the covered and of the shadowed pixels of the camera that was tuned on
+    0.3;  // of the covered, the lit and the shadowed pixels of the camera that was tuned on
 
 /// Puts the scene's camera back whatever happens.
 class MovedCamera {
@@ -35,6 +35,7 @@ class MovedCamera {
 
 struct Sight {
   double scored = 0.0;
+  double lit = 0.0;     // sum of visibility
   double shadow = 0.0;  // sum of what is not visible of the light
 };
 
@@ -44,6 +45,7 @@ Sight sight_of(const View& view) {
   for (size_t i = 0; i < view.mask.size(); ++i) {
     if (view.mask[i] == 0) continue;
     sight.scored += 1.0;
+    sight.lit += static_cast<double>(visibility[i]);
     sight.shadow += 1.0 - static_cast<double>(visibility[i]);
   }
   return sight;
@@ -51,7 +53,8 @@ Sight sight_of(const View& view) {
 
 bool sees_enough(const View& view, const View& own) {
   const Sight now = sight_of(view), before = sight_of(own);
-  return now.scored >= kLeastShare * before.scored && now.shadow >= kLeastShare * before.shadow;
+  return now.scored >= kLeastShare * before.scored && now.lit >= kLeastShare * before.lit &&
+         now.shadow >= kLeastShare * before.shadow;
 }
 
 std::string name_of(const SceneJob& job, double angle_deg) {
@@ -106,16 +109,16 @@ Camera orbit(const Camera& camera, double angle_deg) {
 
 namespace {
 
+/// Absent when it is not comparable or does not see enough: it may stand in a wall.
 std::optional<View> turned_view(Studio& studio, const View& own, double angle_deg) {
   std::optional<View> view;
   guarded([&] { view = studio.make_view(*own.job, angle_deg, own.fidelity); });
-  return view;
+  return view && sees_enough(*view, own) ? std::move(view) : std::nullopt;
 }
 
 double find_reach(Studio& studio, const View& own, double side) {
   for (const double angle_deg : kArcs_deg) {
-    const auto view = turned_view(studio, own, side * angle_deg);
-    if (view && sees_enough(*view, own)) return angle_deg;
+    if (turned_view(studio, own, side * angle_deg)) return angle_deg;
   }
   return 0.0;
 }

@@ -58,8 +58,8 @@ struct Arc {
   double left_deg = 0.0, right_deg = 0.0;
 };
 
-/// 26 degrees to either side, or a half or a quarter of that where the outermost camera does not see 30 % of the scene and of
-/// the shadow that the scene's own sees. `own` is that one's view.
+/// 26 degrees to either side, or a half or a quarter of that where the outermost camera does not see 30 % of the scene, of the
+/// light and of the shadow that the scene's own sees. `own` is that one's view.
 Arc find_arc(Studio& studio, const View& own);
 
 /// Cameras between 0 (the scene's own) and 1 (the arc's end) of either side of an arc; the one at 0 is made apart. Those
@@ -69,7 +69,7 @@ inline constexpr std::array kSearchedShares = {0.5, 1.0};
 inline constexpr std::array kCheckedShares = {0.25, 0.75};
 inline constexpr std::array kHeldOutShares = {0.125, 0.375, 0.625, 0.875};
 
-/// Views from there, as `own` is made. Where the renderers disagree a camera is left out.
+/// Views from there, as `own` is made. A camera is left out where the renderers disagree, and where it does not see enough.
 std::vector<View> make_turned_views(Studio& studio, const View& own, const Arc& arc,
                                     std::span<const double> shares);
 

@@ -196,6 +196,19 @@ TEST_F(Tune, CamerasStayWhereTheySeeTheShadow) {
                                                            "plate, -8.125 deg", "plate, -11.38 deg"));
 }
 
+TEST_F(Tune, ABlindCameraOnTheArcIsLeftOut) {
+  for (const float everywhere : {0.0f, 1.0f}) {  // in a wall, in the open
+    Turning truth([everywhere](double angle_deg, const RenderRequest&) {
+      Image image = reference_image();
+      if (std::abs(angle_deg - 13.0) < 1.0) std::ranges::fill(image.plane("visibility"), everywhere);
+      return image;
+    });
+    plan.full.reference = &truth;
+    EXPECT_THAT(views_of(run(), false),
+                testing::ElementsAre("plate", "plate, -13 deg", "plate, -26 deg", "plate, +26 deg"));
+  }
+}
+
 TEST_F(Tune, OneCameraIsTunedOnAloneAndScoredElsewhere) {
   plan.cameras = 1;
   const TuneResult result = run();
