@@ -2,6 +2,7 @@
 #include "cli/console.h"
 #include "cli/duration.h"
 #include "cli/progress_bar.h"
+#include "cli/reference_renderer.h"
 #include "cli/staging.h"
 #include "cli/study_runs.h"
 #include "core/error.h"
@@ -40,11 +41,7 @@ BenchPlan make_plan(const StudyFile& study, const std::string& file, const Quali
   plan.doc = study.doc;
   plan.file = file;
   plan.quality = quality.name;
-  plan.width_px = quality.width_px;
-  plan.height_px = quality.height_px;
-  plan.samples_per_pixel = quality.samples_per_pixel;
-  plan.target_se = quality.target_se;
-  plan.reference_seed = quality.seed;
+  plan.picture = quality.picture;
   plan.timing = {.wanted_frames = options.frames.value_or(study.frames), .budget_s = study.frame_budget_s};
   plan.runs = choose_study_runs(study, file, home);
   plan.claims = study.claims;
@@ -62,7 +59,6 @@ int verdict(const BenchResults& results) {
 
 /// One study, loaded and checked, so that a bad one costs no time.
 struct LoadedStudy {
-  Quality quality;
   BenchPlan plan;
   std::vector<StudyScene> scenes;
 };
@@ -71,8 +67,7 @@ LoadedStudy load(const std::string& file, const BenchOptions& options, const Hom
                  const SceneSearch& search, Progress& progress) {
   const StudyFile study = load_study(file);
   LoadedStudy loaded;
-  loaded.quality = choose_study_quality(study, options.quality);
-  loaded.plan = make_plan(study, file, loaded.quality, options, home);
+  loaded.plan = make_plan(study, file, choose_study_quality(study, options.quality), options, home);
   loaded.scenes = load_study_scenes(study, file, search, progress);
   return loaded;
 }
@@ -93,10 +88,9 @@ TruthPlan make_truth_plan(int threads) {
   return plan;
 }
 
-BenchResults run(const LoadedStudy& study, Renderer& realtime, int threads, const TruthPlan& truth,
-                 ProgressBar& progress) {
-  const auto reference =
-      make_reference_renderer({study.quality.samples_per_pixel, study.quality.target_se, threads});
+BenchResults run(const LoadedStudy& study, Renderer& realtime, const GlobalOptions& global,
+                 const TruthPlan& truth, ProgressBar& progress) {
+  const auto reference = open_reference_renderer(global, study.plan.picture);
   const auto scene_done = [&](const BenchScene& scene) {
     progress.clear();
     print_note(scene_line(scene));
@@ -138,7 +132,7 @@ int bench(const BenchOptions& options, const GlobalOptions& global) {
   std::vector<BenchResults> all;
   int code = kExitFine;
   for (LoadedStudy& study : studies) {
-    all.push_back(run(study, *realtime, global.threads, truth, progress));
+    all.push_back(run(study, *realtime, global, truth, progress));
     study.scenes.clear();
     if (!global.json) print_answer(bench_text(all.back(), queries, options.with_passes));
     code = std::max(code, verdict(all.back()));

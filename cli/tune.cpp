@@ -3,10 +3,10 @@
 #include "cli/home.h"
 #include "cli/progress_bar.h"
 #include "cli/quality.h"
+#include "cli/reference_renderer.h"
 #include "cli/tune_text.h"
 #include "core/error.h"
 #include "core/files.h"
-#include "reference/reference.h"
 #include "study/metadata.h"
 #include "study/tune/tune_files.h"
 #include "study/tune/tune_json.h"
@@ -33,6 +33,13 @@ struct TuneOptions {
 constexpr int kCoarseFactor = 2;      // of each side; samples go with its square
 constexpr int kLeastCoarse_px = 160;  // across: smaller pictures hold too few penumbrae to rank anything
 constexpr double kMillisecondsPerSecond = 1e3;
+
+PictureQuality coarse_picture(PictureQuality picture) {
+  picture.width_px /= kCoarseFactor;
+  picture.height_px /= kCoarseFactor;
+  picture.samples_per_pixel /= kCoarseFactor * kCoarseFactor;
+  return picture;
+}
 
 TunePlan make_plan(const TuneOptions& options, const Home& home) {
   TunePlan plan;
@@ -80,16 +87,14 @@ int tune(const TuneOptions& options, const GlobalOptions& global) {
   const std::filesystem::path out = global.out.empty() ? "tuned" : global.out;
   create_folder(out);  // a place that cannot be written is found before the work
   const auto realtime = open_realtime_renderer(global, home);
-  const auto reference =
-      make_reference_renderer({quality.samples_per_pixel, quality.target_se, global.threads});
-  const auto coarse_reference = make_reference_renderer(
-      {quality.samples_per_pixel / (kCoarseFactor * kCoarseFactor), quality.target_se, global.threads});
-  plan.seed = quality.seed;
-  plan.full = {quality.width_px, quality.height_px, reference.get()};
-  if (!options.no_coarse && quality.width_px >= kCoarseFactor * kLeastCoarse_px) {
-    plan.coarse =
-        Fidelity{quality.width_px / kCoarseFactor, quality.height_px / kCoarseFactor, coarse_reference.get()};
-  }
+  const PictureQuality& picture = quality.picture;
+  const PictureQuality coarse = coarse_picture(picture);
+  const auto reference = open_reference_renderer(global, picture);
+  const auto coarse_reference = open_reference_renderer(global, coarse);
+  plan.seed = picture.seed;
+  plan.full = {picture.width_px, picture.height_px, reference.get()};
+  if (!options.no_coarse && coarse.width_px >= kLeastCoarse_px)
+    plan.coarse = Fidelity{coarse.width_px, coarse.height_px, coarse_reference.get()};
   ProgressBar progress;
   const TuneResult result = run_tune(scenes, plan, *realtime, progress);
   progress.clear();
