@@ -2,9 +2,9 @@
 #include "cli/console.h"
 #include "cli/duration.h"
 #include "cli/progress_bar.h"
-#include "cli/reference_renderer.h"
 #include "cli/staging.h"
 #include "cli/study_runs.h"
+#include "cli/truth_memory.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "reference/reference.h"
@@ -22,6 +22,7 @@ struct BenchOptions {
   std::optional<double> cheapest_below_rmse;
   std::optional<int> frames;
   bool with_passes = false;
+  bool no_reuse = false;
   QualityOptions quality;
 };
 
@@ -88,14 +89,23 @@ TruthPlan make_truth_plan(int threads) {
   return plan;
 }
 
-BenchResults run(const LoadedStudy& study, Renderer& realtime, const GlobalOptions& global,
-                 const TruthPlan& truth, ProgressBar& progress) {
-  const auto reference = open_reference_renderer(global, study.plan.picture);
+BenchResults run(const LoadedStudy& study, Renderer& realtime, TruthMemory& memory, const TruthPlan& truth,
+                 ProgressBar& progress) {
+  ReusedTruths all;
+  std::vector<Skip> skipped;
   const auto scene_done = [&](const BenchScene& scene) {
     progress.clear();
+    print_warnings(memory.take_warnings());
     print_note(scene_line(scene));
+    const ReusedTruths reused = memory.take_reused();
+    if (reused.count > 0) skipped.push_back({scene.name, "", "its truth is stored", reused.saved_s});
+    all += reused;
   };
-  return run_bench(study.scenes, study.plan, {*reference, realtime}, progress, scene_done, truth);
+  BenchResults results = run_bench(study.scenes, study.plan, {memory.reference(study.plan.picture), realtime},
+                                   progress, scene_done, truth);
+  results.skipped.insert(results.skipped.end(), skipped.begin(), skipped.end());
+  if (all.count > 0) print_note(reused_line(all));
+  return results;
 }
 
 /// One object, or {"studies": [...]} of several.
@@ -117,6 +127,8 @@ int bench(const BenchOptions& options, const GlobalOptions& global) {
     fail_input(fmt::format("{} takes one study, as each file has a table of its own", option), {},
                "run them one by one");
   }
+  if (options.no_reuse && global.out.empty())
+    fail_input("--no-reuse needs --out", {}, "without a store nothing is reused");
   const Home home = find_home();
   const SceneSearch search = scene_search(global, home);
   std::optional<StagedFile> csv;
@@ -127,12 +139,13 @@ int bench(const BenchOptions& options, const GlobalOptions& global) {
   std::vector<LoadedStudy> studies;
   for (const std::string& file : options.studies)
     studies.push_back(load(file, options, home, search, progress));
+  TruthMemory memory(global, global.out, !options.no_reuse);
   const auto realtime = open_realtime_renderer(global, home);
   const TruthPlan truth = truth_file ? make_truth_plan(global.threads) : TruthPlan{};
   std::vector<BenchResults> all;
   int code = kExitFine;
   for (LoadedStudy& study : studies) {
-    all.push_back(run(study, *realtime, global, truth, progress));
+    all.push_back(run(study, *realtime, memory, truth, progress));
     study.scenes.clear();
     if (!global.json) print_answer(bench_text(all.back(), queries, options.with_passes));
     code = std::max(code, verdict(all.back()));
@@ -153,8 +166,10 @@ int bench(const BenchOptions& options, const GlobalOptions& global) {
 
 void add_bench(CLI::App& app, CommandLine& line) {
   auto options = std::make_shared<BenchOptions>();
-  CLI::App* verb = app.add_subcommand(
-      "bench", "time a study's runs in turn, score them, and set them beside a paper's claims");
+  CLI::App* verb =
+      app.add_subcommand("bench",
+                         "time a study's runs in turn, score them, and set them beside a paper's "
+                         "claims; with --out keeps truths there and reuses them");
   verb->fallthrough();
   verb->add_option("study", options->studies, "study files (docs/studies.md)")->required();
   verb->add_option("--csv", options->csv, "also write one line a scene and run to this file");
@@ -164,6 +179,7 @@ void add_bench(CLI::App& app, CommandLine& line) {
   verb->add_option("--cheapest-below-rmse", options->cheapest_below_rmse,
                    "name the shortest time below an RMSE");
   verb->add_flag("--passes", options->with_passes, "also print the time of every pass");
+  verb->add_flag("--no-reuse", options->no_reuse, "render truths again that the store in --out knows");
   verb->add_option("--frames", options->frames, "timed frames a run, instead of the study's")
       ->check(CLI::Range(1, 10000));
   verb->add_option("--width", options->quality.width, "picture width in pixels, instead of the study's");

@@ -53,6 +53,29 @@ TEST_F(GlTuneCommand, WritesAPresetThatOtherCommandsTake) {
   EXPECT_EQ(run["parameters"]["filter_width_texels"], width);
 }
 
+TEST_F(GlTuneCommand, TruthsAreRenderedOnce) {
+  write_scene("scene.toml");
+  const auto tune = [&](const std::vector<std::string>& more, const std::string& note) {
+    std::vector<std::string> arguments = {"tune",         "scene.toml",  "--technique",   "pcf:map_size=64",
+                                          "--parameters", "bias_texels", "--evaluations", "6",
+                                          "--cameras",    "1",           "--width",       "64",
+                                          "--height",     "36",          "--spp",         "64",
+                                          "--json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const ProcessResult result = umbrameter(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.err.find("reused") != std::string::npos, !note.empty()) << result.err;
+    EXPECT_THAT(result.err, HasSubstr(note));
+    Json json = Json::parse(result.out, nullptr, false);
+    json.erase("wall_time_s");
+    return json;
+  };
+  const Json first = tune({"--out", "best"}, "");
+  EXPECT_EQ(tune({"--out", "best"}, " truths reused, about "), first);
+  EXPECT_EQ(tune({"--out", "best", "--no-reuse"}, ""), first);
+  EXPECT_EQ(tune({}, ""), first);  // into tuned/, which knows nothing
+}
+
 TEST_F(TuneCommand, MistakesAreFoundBeforeAnythingIsRendered) {
   write_scene("scene.toml");
   const auto tune = [&](std::vector<std::string> arguments) {
