@@ -4,6 +4,7 @@
 #include "cli/progress_bar.h"
 #include "cli/staging.h"
 #include "cli/study_runs.h"
+#include "cli/truth_memory.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "reference/reference.h"
@@ -21,6 +22,7 @@ struct BenchOptions {
   std::optional<double> cheapest_below_rmse;
   std::optional<int> frames;
   bool with_passes = false;
+  bool no_reuse = false;
   QualityOptions quality;
 };
 
@@ -40,11 +42,7 @@ BenchPlan make_plan(const StudyFile& study, const std::string& file, const Quali
   plan.doc = study.doc;
   plan.file = file;
   plan.quality = quality.name;
-  plan.width_px = quality.width_px;
-  plan.height_px = quality.height_px;
-  plan.samples_per_pixel = quality.samples_per_pixel;
-  plan.target_se = quality.target_se;
-  plan.reference_seed = quality.seed;
+  plan.picture = quality.picture;
   plan.timing = {.wanted_frames = options.frames.value_or(study.frames), .budget_s = study.frame_budget_s};
   plan.runs = choose_study_runs(study, file, home);
   plan.claims = study.claims;
@@ -62,7 +60,6 @@ int verdict(const BenchResults& results) {
 
 /// One study, loaded and checked, so that a bad one costs no time.
 struct LoadedStudy {
-  Quality quality;
   BenchPlan plan;
   std::vector<StudyScene> scenes;
 };
@@ -71,8 +68,7 @@ LoadedStudy load(const std::string& file, const BenchOptions& options, const Hom
                  const SceneSearch& search, Progress& progress) {
   const StudyFile study = load_study(file);
   LoadedStudy loaded;
-  loaded.quality = choose_study_quality(study, options.quality);
-  loaded.plan = make_plan(study, file, loaded.quality, options, home);
+  loaded.plan = make_plan(study, file, choose_study_quality(study, options.quality), options, home);
   loaded.scenes = load_study_scenes(study, file, search, progress);
   return loaded;
 }
@@ -93,15 +89,23 @@ TruthPlan make_truth_plan(int threads) {
   return plan;
 }
 
-BenchResults run(const LoadedStudy& study, Renderer& realtime, int threads, const TruthPlan& truth,
+BenchResults run(const LoadedStudy& study, Renderer& realtime, TruthMemory& memory, const TruthPlan& truth,
                  ProgressBar& progress) {
-  const auto reference =
-      make_reference_renderer({study.quality.samples_per_pixel, study.quality.target_se, threads});
+  ReusedTruths all;
+  std::vector<Skip> skipped;
   const auto scene_done = [&](const BenchScene& scene) {
     progress.clear();
+    print_warnings(memory.take_warnings());
     print_note(scene_line(scene));
+    const ReusedTruths reused = memory.take_reused();
+    if (reused.count > 0) skipped.push_back({scene.name, "", "its truth is stored", reused.saved_s});
+    all += reused;
   };
-  return run_bench(study.scenes, study.plan, {*reference, realtime}, progress, scene_done, truth);
+  BenchResults results = run_bench(study.scenes, study.plan, {memory.reference(study.plan.picture), realtime},
+                                   progress, scene_done, truth);
+  results.skipped.insert(results.skipped.end(), skipped.begin(), skipped.end());
+  if (all.count > 0) print_note(reused_line(all));
+  return results;
 }
 
 /// One object, or {"studies": [...]} of several.
@@ -123,6 +127,8 @@ int bench(const BenchOptions& options, const GlobalOptions& global) {
     fail_input(fmt::format("{} takes one study, as each file has a table of its own", option), {},
                "run them one by one");
   }
+  if (options.no_reuse && global.out.empty())
+    fail_input("--no-reuse needs --out", {}, "without a store nothing is reused");
   const Home home = find_home();
   const SceneSearch search = scene_search(global, home);
   std::optional<StagedFile> csv;
@@ -133,12 +139,13 @@ int bench(const BenchOptions& options, const GlobalOptions& global) {
   std::vector<LoadedStudy> studies;
   for (const std::string& file : options.studies)
     studies.push_back(load(file, options, home, search, progress));
+  TruthMemory memory(global, global.out, !options.no_reuse);
   const auto realtime = open_realtime_renderer(global, home);
   const TruthPlan truth = truth_file ? make_truth_plan(global.threads) : TruthPlan{};
   std::vector<BenchResults> all;
   int code = kExitFine;
   for (LoadedStudy& study : studies) {
-    all.push_back(run(study, *realtime, global.threads, truth, progress));
+    all.push_back(run(study, *realtime, memory, truth, progress));
     study.scenes.clear();
     if (!global.json) print_answer(bench_text(all.back(), queries, options.with_passes));
     code = std::max(code, verdict(all.back()));
@@ -159,8 +166,10 @@ int bench(const BenchOptions& options, const GlobalOptions& global) {
 
 void add_bench(CLI::App& app, CommandLine& line) {
   auto options = std::make_shared<BenchOptions>();
-  CLI::App* verb = app.add_subcommand(
-      "bench", "time a study's runs in turn, score them, and set them beside a paper's claims");
+  CLI::App* verb =
+      app.add_subcommand("bench",
+                         "time a study's runs in turn, score them, and set them beside a paper's "
+                         "claims; with --out keeps truths there and reuses them");
   verb->fallthrough();
   verb->add_option("study", options->studies, "study files (docs/studies.md)")->required();
   verb->add_option("--csv", options->csv, "also write one line a scene and run to this file");
@@ -170,6 +179,7 @@ void add_bench(CLI::App& app, CommandLine& line) {
   verb->add_option("--cheapest-below-rmse", options->cheapest_below_rmse,
                    "name the shortest time below an RMSE");
   verb->add_flag("--passes", options->with_passes, "also print the time of every pass");
+  verb->add_flag("--no-reuse", options->no_reuse, "render truths again that the store in --out knows");
   verb->add_option("--frames", options->frames, "timed frames a run, instead of the study's")
       ->check(CLI::Range(1, 10000));
   verb->add_option("--width", options->quality.width, "picture width in pixels, instead of the study's");

@@ -135,8 +135,7 @@ std::string notes(const BenchResults& results) {
         text += fmt::format("{}, {}: warning: {}\n", scene.name, entry.label, warning);
     }
   }
-  for (const Skip& skip : results.skipped)
-    text += fmt::format("skipped {}, {}: {}\n", skip.scene, skip.technique, skip.reason);
+  for (const Skip& skip : results.skipped) text += fmt::format("skipped {}\n", format_skip(skip));
   return text.empty() ? text : "\n" + text;
 }
 
@@ -162,9 +161,9 @@ std::string scene_line(const BenchScene& scene) {
 std::string bench_text(const BenchResults& results, const BenchQueries& queries, bool with_passes) {
   const BenchPlan& plan = results.plan;
   const std::string title = plan.doc.empty() ? plan.title : plan.title + "\n" + plan.doc;
-  std::string text =
-      fmt::format("{}\n{} x {} px, {} samples a pixel, frames in turn\n{}\n{}", title, plan.width_px,
-                  plan.height_px, plan.samples_per_pixel, devices(results), run_table(results));
+  std::string text = fmt::format("{}\n{} x {} px, {} samples a pixel, frames in turn\n{}\n{}", title,
+                                 plan.picture.width_px, plan.picture.height_px,
+                                 plan.picture.samples_per_pixel, devices(results), run_table(results));
   if (with_passes) text += "\n" + pass_table(results);
   return text + claim_table(results) + answers(results, queries) + recommendations(results) + notes(results);
 }

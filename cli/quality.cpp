@@ -56,30 +56,23 @@ Quality choose_quality(const QualityOptions& options) {
   const NamedQuality& named = find_quality(options.quality, options.where);
   Quality quality;
   quality.name = named.name;
-  quality.width_px = checked(options.width, named.width_px, "--width", kMaxSide_px);
-  quality.height_px = checked(options.height, named.height_px, "--height", kMaxSide_px);
-  const int64_t pixels = int64_t{quality.width_px} * quality.height_px;
+  quality.timed_frames = named.timed_frames;
+  PictureQuality& picture = quality.picture;
+  picture.width_px = checked(options.width, named.width_px, "--width", kMaxSide_px);
+  picture.height_px = checked(options.height, named.height_px, "--height", kMaxSide_px);
+  const int64_t pixels = int64_t{picture.width_px} * picture.height_px;
   if (pixels > kMaxPixels) {
-    fail_input(fmt::format("{} x {} is {} pixels, more than {}", quality.width_px, quality.height_px, pixels,
+    fail_input(fmt::format("{} x {} is {} pixels, more than {}", picture.width_px, picture.height_px, pixels,
                            kMaxPixels));
   }
-  quality.samples_per_pixel =
+  picture.samples_per_pixel =
       checked(options.samples_per_pixel, named.samples_per_pixel, "--spp", kMaxSamples);
   if (options.target_se && !(*options.target_se > 0.0 && *options.target_se < 1.0)) {
     fail_input(fmt::format("--target-se is {}, not between 0 and 1", *options.target_se));
   }
-  quality.target_se = options.target_se;
-  quality.timed_frames = named.timed_frames;
-  quality.seed = options.seed;
+  picture.target_se = options.target_se;
+  picture.seed = options.seed;
   return quality;
-}
-
-RenderRequest request_of(const Quality& quality) {
-  RenderRequest request;
-  request.width_px = quality.width_px;
-  request.height_px = quality.height_px;
-  request.seed = quality.seed;
-  return request;
 }
 
 }  // namespace umbrameter

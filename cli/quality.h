@@ -2,7 +2,7 @@
 // Resolution and samples: --quality and what overrides it.
 
 #include "core/error.h"
-#include "core/renderer.h"
+#include "study/picture_quality.h"
 
 #include <CLI/CLI.hpp>
 
@@ -25,20 +25,13 @@ struct QualityOptions {
 /// The chosen numbers, checked.
 struct Quality {
   std::string name;
-  int width_px = 0;
-  int height_px = 0;
-  int samples_per_pixel = 0;
-  std::optional<double> target_se;
+  PictureQuality picture;
   int timed_frames = 0;
-  uint64_t seed = 1;
 };
 
 void add_quality_options(CLI::App& verb, QualityOptions& options);
 
 /// Error{input} for an unknown quality and for numbers out of range.
 Quality choose_quality(const QualityOptions& options);
-
-/// Size and seed, no technique.
-RenderRequest request_of(const Quality& quality);
 
 }  // namespace umbrameter

@@ -1,10 +1,10 @@
-#include "reference/reference.h"
 
 #include "cli/console.h"
 #include "cli/exact_check.h"
 #include "cli/home.h"
 #include "cli/progress_bar.h"
 #include "cli/quality.h"
+#include "cli/reference_renderer.h"
 #include "cli/staging.h"
 #include "core/image_io.h"
 #include "reference/ray_budget.h"
@@ -49,10 +49,9 @@ int render_reference(const ReferenceOptions& options, const GlobalOptions& globa
   const SceneJob job = load_scene_job(options.scene, search);
   const StagedFile file(global.out.empty() ? "reference.exr" : global.out, ".exr");
   for (const std::string& warning : job.scene.warnings) print_warning(warning);
-  const auto renderer = make_reference_renderer(
-      {quality.samples_per_pixel, quality.target_se, global.threads, !options.no_skip});
+  const auto renderer = open_reference_renderer(global, quality.picture, !options.no_skip);
   ProgressBar progress;
-  const RenderRequest request = request_of(quality);
+  const RenderRequest request = request_of(quality.picture);
   Frame frame = renderer->render(job.scene, request, progress);
   add_metadata(frame, job.scene, request);
   write_exr(file.staged(), frame.image);
@@ -71,7 +70,7 @@ int render_reference(const ReferenceOptions& options, const GlobalOptions& globa
                                 {"width_px", request.width_px},
                                 {"height_px", request.height_px},
                                 {"seed", request.seed},
-                                {"samples_per_pixel", quality.samples_per_pixel},
+                                {"samples_per_pixel", quality.picture.samples_per_pixel},
                                 {"device", frame.device},
                                 {"rays", to_json(budget)},
                                 {"memory_bytes", frame.memory_bytes},

@@ -3,6 +3,7 @@
 #include "cli/console.h"
 #include "cli/home.h"
 #include "cli/progress_bar.h"
+#include "cli/reference_renderer.h"
 #include "cli/regress_prove.h"
 #include "cli/staging.h"
 #include "cli/study_runs.h"
@@ -48,15 +49,13 @@ LoadedSuite load(const RegressOptions& options, const GlobalOptions& global, con
   loaded.quality = choose_study_quality(suite.study, {});
   RegressPlan& plan = loaded.plan;
   plan.suite = file.stem().string();
-  plan.width_px = loaded.quality.width_px;
-  plan.height_px = loaded.quality.height_px;
-  plan.seed = options.seed.value_or(loaded.quality.seed);
-  plan.samples_per_pixel = loaded.quality.samples_per_pixel;
-  plan.most_samples_per_pixel =
-      suite.most_samples_per_pixel > 0 ? suite.most_samples_per_pixel : 4 * plan.samples_per_pixel;
-  if (plan.most_samples_per_pixel < plan.samples_per_pixel)
+  plan.picture = loaded.quality.picture;
+  plan.picture.seed = options.seed.value_or(plan.picture.seed);
+  const int samples = plan.picture.samples_per_pixel;
+  plan.most_samples_per_pixel = suite.most_samples_per_pixel > 0 ? suite.most_samples_per_pixel : 4 * samples;
+  if (plan.most_samples_per_pixel < samples)
     fail_input(fmt::format("'most_samples_per_pixel' is {}, less than the {} that every case gets",
-                           plan.most_samples_per_pixel, plan.samples_per_pixel),
+                           plan.most_samples_per_pixel, samples),
                suite.study.where);
   plan.gates = suite.gates;
   if (plan.gates.time_ratio) plan.timed_frames = suite.study.frames;
@@ -148,13 +147,10 @@ void write_results_folder(const LoadedSuite& suite, Renderer& realtime, const Gl
                           const RegressResults& checked, Progress& progress) {
   ValidationPlan plan;
   plan.quality = suite.quality.name;
-  plan.width_px = suite.plan.width_px;
-  plan.height_px = suite.plan.height_px;
-  plan.seed = suite.plan.seed;
-  plan.samples_per_pixel = suite.plan.samples_per_pixel;
+  plan.picture = suite.plan.picture;
   plan.timed_frames = suite.plan.timed_frames;
   plan.techniques = suite.plan.runs;
-  const auto reference = make_reference_renderer({plan.samples_per_pixel, {}, global.threads});
+  const auto reference = open_reference_renderer(global, plan.picture);
   const Results results = run_validation(suite.scenes, plan, {*reference, realtime}, global.out, progress);
   const std::filesystem::path out = global.out;
   write_file_atomically(out / "results.json", to_json_text(results));

@@ -64,7 +64,7 @@ int render(const RenderOptions& options, const GlobalOptions& global) {
   for (const std::string& warning : job.scene.warnings) print_warning(warning);
   const auto renderer = open_realtime_renderer(global, home, !options.no_skip);
   ProgressBar progress;
-  RenderRequest request = request_of(quality);
+  RenderRequest request = request_of(quality.picture);
   request.technique = run.technique;
   request.parameters = run.parameters;
   const LabelledRequest labelled{run.label, request};

@@ -70,13 +70,13 @@ int plan(const std::vector<std::string>& names, const QualityOptions& options, c
   std::string text;
   for (const std::string& name : names) {
     const SceneJob job = load_scene_job(name, search);
-    const int64_t pixels = int64_t{quality.width_px} * quality.height_px;
-    const int64_t most_shadow_rays = pixels * quality.samples_per_pixel;
+    const int64_t pixels = int64_t{quality.picture.width_px} * quality.picture.height_px;
+    const int64_t most_shadow_rays = pixels * quality.picture.samples_per_pixel;
     Json runs = Json::array();
     Json skips = Json::array();
     text += fmt::format(
         "{}: {} x {} px, {} triangles, {} light '{}'; reference at most {:.1f} million shadow rays\n",
-        job.name, quality.width_px, quality.height_px, job.scene.triangles.size(),
+        job.name, quality.picture.width_px, quality.picture.height_px, job.scene.triangles.size(),
         to_text(job.scene.light().type), job.scene.light().name,
         static_cast<double>(most_shadow_rays) * 1e-6);
     for (const TechniqueRun& run : techniques) {
@@ -87,8 +87,8 @@ int plan(const std::vector<std::string>& names, const QualityOptions& options, c
     }
     scenes.push_back({{"name", job.name},
                       {"hash", job.scene.hash},
-                      {"width_px", quality.width_px},
-                      {"height_px", quality.height_px},
+                      {"width_px", quality.picture.width_px},
+                      {"height_px", quality.picture.height_px},
                       {"most_shadow_rays", most_shadow_rays},
                       {"runs", runs},
                       {"skips", skips}});

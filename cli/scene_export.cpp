@@ -107,13 +107,14 @@ int export_scene(const std::string& name, const QualityOptions& size, const Glob
   const std::filesystem::path folder = global.out;
   create_folder(folder);
   write_file_atomically(folder / "scene.obj", obj_text(job.scene));
-  const Json json = {{"scene", job.name},
-                     {"hash", job.scene.hash},
-                     {"mesh", "scene.obj"},
-                     {"triangles", job.scene.triangles.size()},
-                     {"space", "world: right-handed, y up, metres; matrices in rows, for column vectors"},
-                     {"camera", camera_json(job.scene.camera, quality.width_px, quality.height_px)},
-                     {"light", light_json(job.scene.light())}};
+  const Json json = {
+      {"scene", job.name},
+      {"hash", job.scene.hash},
+      {"mesh", "scene.obj"},
+      {"triangles", job.scene.triangles.size()},
+      {"space", "world: right-handed, y up, metres; matrices in rows, for column vectors"},
+      {"camera", camera_json(job.scene.camera, quality.picture.width_px, quality.picture.height_px)},
+      {"light", light_json(job.scene.light())}};
   write_file_atomically(folder / "scene.json", json.dump(2) + "\n");
   if (global.json) {
     print_json(json);

@@ -2,9 +2,9 @@
 
 #include "cli/home.h"
 #include "cli/progress_bar.h"
+#include "cli/reference_renderer.h"
 #include "core/error.h"
 #include "core/image_io.h"
-#include "reference/reference.h"
 #include "study/engine_image.h"
 #include "study/engine_surfaces.h"
 #include "study/format.h"
@@ -36,10 +36,9 @@ Image render_truth(const SceneJob& job, const ScoreInputOptions& options, const 
   wanted.width = test.width;
   wanted.height = test.height;
   const Quality quality = choose_quality(wanted);
-  const auto renderer =
-      make_reference_renderer({quality.samples_per_pixel, quality.target_se, global.threads});
+  const auto renderer = open_reference_renderer(global, quality.picture);
   ProgressBar progress;
-  const RenderRequest request = request_of(quality);
+  const RenderRequest request = request_of(quality.picture);
   Frame frame = renderer->render(job.scene, request, progress);
   add_metadata(frame, job.scene, request);
   return std::move(frame.image);

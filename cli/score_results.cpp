@@ -61,10 +61,10 @@ TechniqueRun run_of(const ScoreInputs& inputs) {
 ValidationPlan plan_of(const ScoreInputs& inputs, const ScoreSettings& settings) {
   ValidationPlan plan;
   plan.quality = "another engine";
-  plan.width_px = inputs.test.width;
-  plan.height_px = inputs.test.height;
+  plan.picture.width_px = inputs.test.width;
+  plan.picture.height_px = inputs.test.height;
   const std::span<const float> samples = inputs.reference.plane("sample_count");
-  plan.samples_per_pixel = static_cast<int>(*std::ranges::max_element(samples));
+  plan.picture.samples_per_pixel = static_cast<int>(*std::ranges::max_element(samples));
   plan.timed_frames = 0;
   plan.techniques = {run_of(inputs)};
   plan.metrics = settings.metrics;

@@ -40,11 +40,11 @@ std::vector<StressAxis> chosen_axes(const StressPlan& plan, const std::vector<st
 
 StressPlan plan_of(const StressOptions& options) {
   StressPlan plan = options.suite.empty() ? full_stress_plan() : load_stress_suite(options.suite);
-  plan.width_px = options.width_px.value_or(plan.width_px);
-  plan.height_px = options.height_px.value_or(plan.height_px);
-  plan.samples_per_pixel = options.samples_per_pixel.value_or(plan.samples_per_pixel);
+  plan.picture.width_px = options.width_px.value_or(plan.picture.width_px);
+  plan.picture.height_px = options.height_px.value_or(plan.picture.height_px);
+  plan.picture.samples_per_pixel = options.samples_per_pixel.value_or(plan.picture.samples_per_pixel);
   plan.timeout_s = options.timeout_s.value_or(plan.timeout_s);
-  plan.seed = options.seed.value_or(plan.seed);
+  plan.picture.seed = options.seed.value_or(plan.picture.seed);
   if (!options.techniques.empty()) plan.techniques = options.techniques;
   if (!options.axes.empty()) plan.axes = chosen_axes(plan, options.axes);
   return plan;
@@ -60,10 +60,10 @@ std::vector<std::string> worker_arguments(const StressOptions& options, const Gl
   };
   if (!options.suite.empty()) arguments.push_back(options.suite);
   for (const std::string& technique : options.techniques) add("--technique", technique);
-  add("--width", std::to_string(plan.width_px));
-  add("--height", std::to_string(plan.height_px));
-  add("--spp", std::to_string(plan.samples_per_pixel));
-  add("--seed", std::to_string(plan.seed));
+  add("--width", std::to_string(plan.picture.width_px));
+  add("--height", std::to_string(plan.picture.height_px));
+  add("--spp", std::to_string(plan.picture.samples_per_pixel));
+  add("--seed", std::to_string(plan.picture.seed));
   add("--threads", std::to_string(global.threads));
   if (!global.device.empty()) add("--device", global.device);
   if (options.keep_pictures) arguments.push_back("--pictures");

@@ -3,10 +3,10 @@
 #include "cli/child_process.h"
 #include "cli/exact_truth.h"
 #include "cli/home.h"
+#include "cli/reference_renderer.h"
 #include "core/clock.h"
 #include "core/error.h"
 #include "core/files.h"
-#include "reference/reference.h"
 
 #include <fmt/format.h>
 
@@ -158,7 +158,7 @@ void work_on_axis(const StressAxis& axis, const StressPlan& plan, const GlobalOp
   die_with_parent();
   const fs::path place = axis_folder(folder, axis);
   EditedRenderers renderers(global, place);
-  const auto reference = make_reference_renderer({plan.samples_per_pixel, {}, global.threads});
+  const auto reference = open_reference_renderer(global, plan.picture);
   const StressTools tools = {.techniques = stress_techniques(plan),
                              .realtime = [&](const std::vector<ManifestEdit>& edits) -> Renderer& {
                                return renderers.renderer(edits);

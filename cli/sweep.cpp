@@ -1,12 +1,12 @@
 #include "cli/console.h"
 #include "cli/progress_bar.h"
+#include "cli/reference_renderer.h"
 #include "cli/staging.h"
 #include "cli/study_runs.h"
 #include "cli/sweep_text.h"
 #include "cli/sweep_verbs.h"
 #include "core/error.h"
 #include "realtime/device_identity.h"
-#include "reference/reference.h"
 
 #include <fmt/format.h>
 
@@ -38,20 +38,17 @@ LoadedSweep load(const SweepOptions& options, const GlobalOptions& global, Progr
   const Home home = find_home();
   const SceneSearch search = scene_search(global, home);
   const StudyFile study = load_study(options.study);
-  const Quality quality = choose_study_quality(study, options.quality);
   LoadedSweep loaded;
   SweepPlan& plan = loaded.plan;
   plan.runs = choose_study_runs(study, options.study, home);
-  plan.quality = {quality.width_px, quality.height_px, quality.samples_per_pixel, quality.target_se,
-                  quality.seed};
+  plan.picture = choose_study_quality(study, options.quality).picture;
   plan.metrics = choose_metrics(options.metrics);
   plan.shard = parse_shard(options.shard);
   plan.reuse = !options.no_reuse;
   if (options.time) plan.timing = {.wanted_frames = study.frames, .budget_s = study.frame_budget_s};
   loaded.scenes = load_study_scenes(study, options.study, search, progress);
   loaded.realtime = open_realtime_renderer(global, home);
-  plan.makers = {"Embree " UMBRAMETER_EMBREE_VERSION, device_identity(*loaded.realtime),
-                 hash_folder(home.shaders)};
+  plan.makers = {kReferenceMaker, device_identity(*loaded.realtime), hash_folder(home.shaders)};
   return loaded;
 }
 
@@ -80,9 +77,7 @@ int sweep(const SweepOptions& options, const GlobalOptions& global) {
   if (global.out.empty()) fail_input("a sweep needs a folder to keep its results in", {}, "give --out DIR");
   ProgressBar progress;
   const LoadedSweep loaded = load(options, global, progress);
-  const PictureQuality& quality = loaded.plan.quality;
-  const auto reference =
-      make_reference_renderer({quality.samples_per_pixel, quality.target_se, global.threads});
+  const auto reference = open_reference_renderer(global, loaded.plan.picture);
   Store store(global.out, Database::Mode::write);
   const Staging scratch(std::filesystem::temp_directory_path());
   set_interruption_note("interrupted; what was done is stored, the same command goes on from there");

@@ -4,6 +4,7 @@
 #include "study/format.h"
 #include "study/json_parts.h"
 #include "study/judgement_format.h"
+#include "study/study_camera.h"
 
 #include <fmt/format.h>
 
@@ -204,11 +205,11 @@ std::string stored_text(const StoredRuns& runs) {
     const auto& error = run->result.error;
     const RecordHead& head = run->head;
     const auto time = total_time(run->result.pass_times);
-    rows.push_back(
-        {head.camera.empty() ? head.scene : fmt::format("{}, {}", head.scene, head.camera), run->result.label,
-         std::to_string(head.seed), fmt::format("{} x {}", head.width_px, head.height_px),
-         format_interval(error ? error->rmse : std::nullopt), verdict_text(run->result.judgement.verdict),
-         time ? format_time(*time) : "", status_of(*run)});
+    rows.push_back({full_name(head.scene, head.camera), run->result.label, std::to_string(head.picture.seed),
+                    fmt::format("{} x {}", head.picture.width_px, head.picture.height_px),
+                    format_interval(error ? error->rmse : std::nullopt),
+                    verdict_text(run->result.judgement.verdict), time ? format_time(*time) : "",
+                    status_of(*run)});
   }
   return format_table({"scene", "run", "seed", "px", "RMSE [95 %]", "verdict (against)", "time", "status"},
                       rows);

@@ -115,8 +115,8 @@ std::string context_text(const Results& results) {
       "is that of geometric visibility with the reference's noise taken out. Times of a software rasteriser "
       "are not a "
       "GPU's.\n\n",
-      results.width_px, results.height_px, results.quality, results.samples_per_pixel, results.seed, device,
-      timer, results.version, results.commit);
+      results.picture.width_px, results.picture.height_px, results.quality, results.picture.samples_per_pixel,
+      results.picture.seed, device, timer, results.version, results.commit);
 }
 
 std::string technique_text(const Technique& technique, const Results& results) {

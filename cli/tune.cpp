@@ -3,10 +3,10 @@
 #include "cli/home.h"
 #include "cli/progress_bar.h"
 #include "cli/quality.h"
+#include "cli/truth_memory.h"
 #include "cli/tune_text.h"
 #include "core/error.h"
 #include "core/files.h"
-#include "reference/reference.h"
 #include "study/metadata.h"
 #include "study/tune/tune_files.h"
 #include "study/tune/tune_json.h"
@@ -26,6 +26,7 @@ struct TuneOptions {
   int cameras = 5;
   int grid = 0;
   bool no_coarse = false;
+  bool no_reuse = false;
   QualityOptions quality{
       .quality = "quick", .width = {}, .height = {}, .samples_per_pixel = {}, .target_se = {}, .where = {}};
 };
@@ -33,6 +34,13 @@ struct TuneOptions {
 constexpr int kCoarseFactor = 2;      // of each side; samples go with its square
 constexpr int kLeastCoarse_px = 160;  // across: smaller pictures hold too few penumbrae to rank anything
 constexpr double kMillisecondsPerSecond = 1e3;
+
+PictureQuality coarse_picture(PictureQuality picture) {
+  picture.width_px /= kCoarseFactor;
+  picture.height_px /= kCoarseFactor;
+  picture.samples_per_pixel /= kCoarseFactor * kCoarseFactor;
+  return picture;
+}
 
 TunePlan make_plan(const TuneOptions& options, const Home& home) {
   TunePlan plan;
@@ -78,21 +86,20 @@ int tune(const TuneOptions& options, const GlobalOptions& global) {
   TunePlan plan = make_plan(options, home);
   std::vector<SceneJob> scenes = load_scenes(options, plan, scene_search(global, home));
   const std::filesystem::path out = global.out.empty() ? "tuned" : global.out;
-  create_folder(out);  // a place that cannot be written is found before the work
+  TruthMemory memory(global, out, !options.no_reuse);
   const auto realtime = open_realtime_renderer(global, home);
-  const auto reference =
-      make_reference_renderer({quality.samples_per_pixel, quality.target_se, global.threads});
-  const auto coarse_reference = make_reference_renderer(
-      {quality.samples_per_pixel / (kCoarseFactor * kCoarseFactor), quality.target_se, global.threads});
-  plan.seed = quality.seed;
-  plan.full = {quality.width_px, quality.height_px, reference.get()};
-  if (!options.no_coarse && quality.width_px >= kCoarseFactor * kLeastCoarse_px) {
-    plan.coarse =
-        Fidelity{quality.width_px / kCoarseFactor, quality.height_px / kCoarseFactor, coarse_reference.get()};
-  }
+  const PictureQuality& picture = quality.picture;
+  const PictureQuality coarse = coarse_picture(picture);
+  plan.seed = picture.seed;
+  plan.full = {picture.width_px, picture.height_px, &memory.reference(picture)};
+  if (!options.no_coarse && coarse.width_px >= kLeastCoarse_px)
+    plan.coarse = Fidelity{coarse.width_px, coarse.height_px, &memory.reference(coarse)};
   ProgressBar progress;
   const TuneResult result = run_tune(scenes, plan, *realtime, progress);
   progress.clear();
+  print_warnings(memory.take_warnings());
+  const ReusedTruths reused = memory.take_reused();
+  if (reused.count > 0) print_note(reused_line(reused));
   const std::string json = to_json_text(plan, result);
   write_results(out, plan, result, json);
   print_answer(global.json ? json : tune_text(plan, result));
@@ -129,6 +136,7 @@ void add_tune(CLI::App& app, CommandLine& line) {
                    "also try a dense grid of so many steps a number, to check the search")
       ->check(CLI::Range(2, 100));
   verb->add_flag("--no-coarse", options->no_coarse, "never begin with smaller pictures");
+  verb->add_flag("--no-reuse", options->no_reuse, "render truths again that the store in --out knows");
   add_quality_options(*verb, options->quality);
   verb->callback([options, &line] { line.verb = [options, &line] { return tune(*options, line.global); }; });
 }

@@ -6,13 +6,13 @@
 #include "cli/preset_file.h"
 #include "cli/progress_bar.h"
 #include "cli/quality.h"
+#include "cli/reference_renderer.h"
 #include "cli/scene_memory.h"
 #include "cli/staging.h"
 #include "cli/validation_text.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "core/names.h"
-#include "reference/reference.h"
 #include "report/report.h"
 #include "study/metadata.h"
 #include "study/results_json.h"
@@ -129,11 +129,7 @@ ValidationPlan make_plan(const Quality& quality, std::vector<TechniqueRun> techn
                          const ValidateOptions& options) {
   ValidationPlan plan;
   plan.quality = quality.name;
-  plan.width_px = quality.width_px;
-  plan.height_px = quality.height_px;
-  plan.seed = quality.seed;
-  plan.samples_per_pixel = quality.samples_per_pixel;
-  plan.target_se = quality.target_se;
+  plan.picture = quality.picture;
   plan.timed_frames = options.frames.value_or(quality.timed_frames);
   check_baseline(options.baseline, techniques);
   plan.techniques = std::move(techniques);
@@ -209,13 +205,8 @@ int validate(const ValidateOptions& options, const GlobalOptions& global) {
   const Staging staging(out);
   LateStore store(out);
   LateRealtime realtime(store, global, home, !options.no_skip);
-  LateRenderer reference([&] {
-    return make_reference_renderer({.samples_per_pixel = quality.samples_per_pixel,
-                                    .target_se = quality.target_se,
-                                    .threads = global.threads,
-                                    .skip_proven = !options.no_skip});
-  });
-  const Makers makers{"Embree " UMBRAMETER_EMBREE_VERSION, realtime.identity(), hash_folder(home.shaders)};
+  LateRenderer reference([&] { return open_reference_renderer(global, quality.picture, !options.no_skip); });
+  const Makers makers{kReferenceMaker, realtime.identity(), hash_folder(home.shaders)};
   ValidationMemory memory(store, makers, !options.no_reuse);
   ProgressBar progress;
   Workload work = open_scenes(options.scenes, search, store, progress);

@@ -122,11 +122,7 @@ std::string details(const Results& results) {
 
 std::string skip_list(const Results& results) {
   std::string text;
-  for (const Skip& skip : results.skipped) {
-    const std::string saved = skip.saved_s ? fmt::format(" (saves about {:.2g} s)", *skip.saved_s) : "";
-    text += fmt::format("skipped {}{}{}: {}{}\n", skip.scene, skip.technique.empty() ? "" : ", ",
-                        skip.technique, skip.reason, saved);
-  }
+  for (const Skip& skip : results.skipped) text += fmt::format("skipped {}\n", format_skip(skip));
   return text;
 }
 
@@ -145,9 +141,9 @@ std::string work_line(const WorkDone& work) {
 
 std::string validation_text(const Results& results, bool with_details) {
   return fmt::format("quality {}, {} x {} px, {} samples a pixel, seed {}\n\n{}\n{}{}{}{}", results.quality,
-                     results.width_px, results.height_px, results.samples_per_pixel, results.seed,
-                     table(results), with_details ? details(results) : "", findings(results),
-                     warning_list(results), skip_list(results));
+                     results.picture.width_px, results.picture.height_px, results.picture.samples_per_pixel,
+                     results.picture.seed, table(results), with_details ? details(results) : "",
+                     findings(results), warning_list(results), skip_list(results));
 }
 
 }  // namespace umbrameter

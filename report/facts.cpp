@@ -23,8 +23,8 @@ std::string term_lines(const TermLines& lines) {
 }
 
 std::string common_context(const Results& results, const SceneResult& scene) {
-  return line("scene hash", scene.hash) + line("seed", std::to_string(results.seed)) +
-         line("resolution", fmt::format("{} x {} px", results.width_px, results.height_px)) +
+  return line("scene hash", scene.hash) + line("seed", std::to_string(results.picture.seed)) +
+         line("resolution", fmt::format("{} x {} px", results.picture.width_px, results.picture.height_px)) +
          line("version", fmt::format("umbrameter {} ({})", results.version, results.commit));
 }
 

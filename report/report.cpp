@@ -50,10 +50,11 @@ std::string devices(const Results& results) {
 
 std::string context(const Results& results) {
   const std::string target =
-      results.target_se ? fmt::format(", until standard error {}", *results.target_se) : "";
+      results.picture.target_se ? fmt::format(", until standard error {}", *results.picture.target_se) : "";
   return fmt::format("umbrameter {} ({}); quality {}, {} x {} px, {} samples a pixel{}, seed {}; {}",
-                     results.version, results.commit, results.quality, results.width_px, results.height_px,
-                     results.samples_per_pixel, target, results.seed, devices(results));
+                     results.version, results.commit, results.quality, results.picture.width_px,
+                     results.picture.height_px, results.picture.samples_per_pixel, target,
+                     results.picture.seed, devices(results));
 }
 
 /// Scripts in the order in which they need each other.

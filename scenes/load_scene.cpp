@@ -1,12 +1,12 @@
 #include "scenes/load_scene.h"
 
 #include "core/files.h"
-#include "core/hash.h"
 #include "scenes/light_enclosure.h"
 #include "scenes/read_camera.h"
 #include "scenes/read_light.h"
 #include "scenes/read_mesh.h"
 #include "scenes/rounding.h"
+#include "scenes/scene_hash.h"
 #include "scenes/seen_from.h"
 
 #include <fmt/format.h>
@@ -26,38 +26,6 @@ constexpr double kNearOfTarget = 1e-2;
 double derived_near(const Scene& scene) {
   const double to_target = glm::distance(scene.camera.eye_world, scene.camera.at_world);
   return std::min(kNearOfDiagonal * scene.bounds_world.diagonal(), kNearOfTarget * to_target);
-}
-
-void hash_vector(Hasher& hasher, const glm::dvec3& v) {
-  hasher.number(v.x).number(v.y).number(v.z);
-}
-
-void hash_light(Hasher& hasher, const Light& light) {
-  hasher.text(to_text(light.type));
-  for (const glm::dvec3& v :
-       {light.center_world, light.tangent_world, light.bitangent_world, light.direction_world}) {
-    hash_vector(hasher, v);
-  }
-  hasher.number(light.size_world.x)
-      .number(light.size_world.y)
-      .number(light.radius_world)
-      .number(light.half_angle_rad);
-}
-
-std::string hash_scene(const Scene& scene) {
-  Hasher hasher;
-  for (const glm::dvec3& v : {scene.camera.eye_world, scene.camera.at_world, scene.camera.up_world}) {
-    hash_vector(hasher, v);
-  }
-  hasher.number(scene.camera.vertical_fov_deg).number(scene.camera.near_world);
-  hasher.number(static_cast<double>(scene.lights.size()));
-  for (const Light& light : scene.lights) hash_light(hasher, light);
-  hasher.number(static_cast<double>(scene.positions_world.size()));
-  hasher.values(std::span<const glm::vec3>(scene.positions_world));
-  hasher.number(static_cast<double>(scene.normals_world.size()));
-  hasher.values(std::span<const glm::vec3>(scene.normals_world));
-  hasher.values(std::span<const glm::uvec3>(scene.triangles));
-  return hasher.hex();
 }
 
 std::vector<Light> read_lights(TomlReader& reader) {

@@ -3,6 +3,7 @@
 #include "study/guard.h"
 #include "study/renamed_progress.h"
 #include "study/score.h"
+#include "study/study_camera.h"
 #include "umbrameter_version.h"
 
 #include <fmt/format.h>
@@ -39,14 +40,6 @@ BenchScene describe(const StudyScene& job) {
   return scene;
 }
 
-RenderRequest request_of(const BenchPlan& plan, uint64_t seed) {
-  RenderRequest request;
-  request.width_px = plan.width_px;
-  request.height_px = plan.height_px;
-  request.seed = seed;
-  return request;
-}
-
 /// An entry for every run that supports the scene's light; the others join `skipped`.
 std::vector<LabelledRequest> choose_runs(const Context& context, BenchScene& scene,
                                          std::vector<Skip>& skipped) {
@@ -57,10 +50,7 @@ std::vector<LabelledRequest> choose_runs(const Context& context, BenchScene& sce
       skipped.push_back({scene.name, technique.label, *reason});
       continue;
     }
-    RenderRequest request = request_of(context.plan, run.seed);
-    request.technique = technique.technique;
-    request.parameters = technique.parameters;
-    requests.push_back({technique.label, request});
+    requests.push_back({technique.label, request_of(context.plan.picture, technique, run.seed)});
     BenchEntry entry;
     entry.label = technique.label;
     entry.technique = technique.id;
@@ -107,7 +97,7 @@ Pictures time_runs(const Context& context, BenchScene& scene, std::vector<Skip>&
 
 /// Renders the truth and sets what follows from it: parity, and each run's error.
 void score_runs(const Context& context, const Pictures& pictures, BenchScene& scene) {
-  const RenderRequest request = request_of(context.plan, context.plan.reference_seed);
+  const RenderRequest request = request_of(context.plan.picture);
   const glm::dvec3& eye = context.job.scene.camera.eye_world;
   const double eye_world[3] = {eye.x, eye.y, eye.z};
   Frame reference;
@@ -139,7 +129,7 @@ BenchScene bench_scene(const Context& context, std::vector<Skip>& skipped) {
   if (pictures.surfaces) score_runs(context, pictures, scene);
   if (!context.truth.settings.empty() && !scene.failure)
     scene.failure = guarded([&] {
-      const RenderRequest request = request_of(context.plan, context.plan.reference_seed);
+      const RenderRequest request = request_of(context.plan.picture);
       scene.truth = measure_truth(context.job.scene, request, context.truth, context.progress);
     });
   find_front(scene.entries);
@@ -150,7 +140,7 @@ BenchScene bench_scene(const Context& context, std::vector<Skip>& skipped) {
 }  // namespace
 
 std::string full_name(const StudyScene& scene) {
-  return scene.camera.empty() ? scene.name : fmt::format("{}, {}", scene.name, scene.camera);
+  return full_name(scene.name, scene.camera);
 }
 
 bool is_software(const BenchResults& results) {

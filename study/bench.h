@@ -26,11 +26,8 @@ struct BenchPlan {
   std::string doc;
   std::string file;  // of the study
   std::string quality;
-  int width_px = 480;
-  int height_px = 270;
-  int samples_per_pixel = 256;      // what the reference renderer was made with; recorded
-  std::optional<double> target_se;  // likewise
-  uint64_t reference_seed = 1;
+  /// Samples and target are those that the reference renderer was made with; recorded.
+  PictureQuality picture{.width_px = 480, .height_px = 270, .samples_per_pixel = 256};
   TimingPlan timing;
   std::vector<BenchRun> runs;
   std::vector<Claim> claims;
@@ -43,7 +40,7 @@ struct StudyScene {
   std::string camera = {};  // of the study; empty: the scene's own
 };
 
-/// "plate"; with a study's camera "plate, left".
+/// As in study/study_camera.h.
 std::string full_name(const StudyScene& scene);
 
 struct BenchScene {

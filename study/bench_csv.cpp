@@ -36,8 +36,8 @@ std::vector<std::string> cells(const BenchScene& scene, const BenchEntry& entry,
                                entry.technique,
                                to_text(entry.parameters),
                                std::to_string(entry.seed),
-                               std::to_string(results.plan.width_px),
-                               std::to_string(results.plan.height_px)};
+                               std::to_string(results.plan.picture.width_px),
+                               std::to_string(results.plan.picture.height_px)};
   add_interval(entry.rmse, row);
   row.push_back(entry.bias ? csv_number(*entry.bias) : "");
   row.push_back(total ? csv_number(total->median_ms) : "");

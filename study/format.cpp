@@ -52,6 +52,12 @@ std::string format_parity(const ParityNumbers& parity) {
       parity.surface_mismatch, parity.irradiance_mismatch, parity.median_relative_depth_error);
 }
 
+std::string format_skip(const Skip& skip) {
+  const std::string saved = skip.saved_s ? fmt::format(" (saves about {:.2g} s)", *skip.saved_s) : "";
+  return fmt::format("{}{}{}: {}{}", skip.scene, skip.technique.empty() ? "" : ", ", skip.technique,
+                     skip.reason, saved);
+}
+
 std::string format_temporal(const TemporalNumbers& temporal) {
   const auto text = [](const std::optional<double>& value) {
     return value ? fmt::format("{:.2g}", *value) : std::string(kNotApplicable);

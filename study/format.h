@@ -25,6 +25,8 @@ std::string format_share(double share);
 /// "agreement 99.981 % of 12345 covered pixels (needs 99.500 %): passes", and what disagrees.
 std::string format_parity(const ParityNumbers& parity);
 
+/// "plate, pcf: does not support sun lights (saves about 0.2 s)".
+std::string format_skip(const Skip& skip);
 /// "flicker 0.012 (truth 0.003) under a moving camera, 0.02 under a moving light, 0.001 over seeds".
 std::string format_temporal(const TemporalNumbers& temporal);
 

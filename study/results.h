@@ -10,6 +10,7 @@
 #include "study/diagnosis.h"
 #include "study/frame_times.h"
 #include "study/judgement.h"
+#include "study/picture_quality.h"
 #include "study/similarity.h"
 
 #include <cstdint>
@@ -128,11 +129,7 @@ struct Results {
   std::string version;
   std::string commit;
   std::string quality;
-  int width_px = 0;
-  int height_px = 0;
-  uint64_t seed = 0;
-  int samples_per_pixel = 0;
-  std::optional<double> target_se;
+  PictureQuality picture;
   std::vector<SceneResult> scenes;
   std::vector<Skip> skipped;
   WorkDone work;

@@ -34,11 +34,7 @@ Results read_results(const Json& json) {
   results.version = json.at("version");
   results.commit = json.at("commit");
   results.quality = json.at("quality");
-  results.width_px = json.at("width_px");
-  results.height_px = json.at("height_px");
-  results.seed = json.at("seed");
-  results.samples_per_pixel = json.at("samples_per_pixel");
-  results.target_se = read_optional<double>(json.at("target_se"));
+  results.picture = read_picture_quality(json);
   for (const Json& scene : json.at("scenes")) results.scenes.push_back(read_scene(scene));
   for (const Json& skip : json.at("skipped")) {
     results.skipped.push_back({skip.at("scene"), skip.at("technique"), skip.at("reason"),

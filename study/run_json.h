@@ -17,6 +17,8 @@ nlohmann::ordered_json reference_json(const std::optional<ReferenceResult>& refe
 
 // Readers throw nlohmann::json::exception for anything else.
 std::optional<Interval> read_interval(const nlohmann::json& json);
+/// The numbers of a picture, which stand beside others.
+PictureQuality read_picture_quality(const nlohmann::json& json);
 std::vector<PassTime> read_times(const nlohmann::json& json);
 std::optional<Failure> read_failure(const nlohmann::json& json);
 TechniqueResult read_technique(const nlohmann::json& json);

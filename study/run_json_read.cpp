@@ -70,6 +70,14 @@ std::optional<Interval> read_interval(const nlohmann::json& json) {
   return Interval{json.at("value"), json.at("low"), json.at("high")};
 }
 
+PictureQuality read_picture_quality(const nlohmann::json& json) {
+  return {.width_px = json.at("width_px"),
+          .height_px = json.at("height_px"),
+          .samples_per_pixel = json.at("samples_per_pixel"),
+          .target_se = read_optional<double>(json.at("target_se")),
+          .seed = json.at("seed")};
+}
+
 std::vector<PassTime> read_times(const nlohmann::json& json) {
   std::vector<PassTime> times;
   for (const Json& time : json) {

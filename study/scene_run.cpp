@@ -7,7 +7,9 @@
 #include "study/metadata.h"
 #include "study/pictures.h"
 #include "study/score.h"
+#include "study/store/stored_truth.h"
 #include "study/sweep/record.h"
+#include "study/technique_result.h"
 #include "study/timing.h"
 
 #include <fmt/format.h>
@@ -25,29 +27,12 @@ void save_picture(const SceneContext& context, const std::string& file, const Pi
   write_picture(context.folder / file, picture);
 }
 
-TechniqueResult describe(const TechniqueRun& run) {
-  TechniqueResult result;
-  result.label = run.label;
-  result.technique = run.id;
-  result.title = run.title;
-  result.hash = run.hash;
-  result.parameters = run.parameters;
-  return result;
-}
-
 void take_result(TimedRun& run, TechniqueFrame& out) {
   TechniqueResult& result = out.result;
   result.failure = run.failure;
   if (result.failure) return;
+  take_frame(run, result);
   out.frame = std::move(run.frame);
-  result.parameters = out.frame.parameters;
-  result.pass_times = summarise(run.times);
-  result.timer = run.timer;
-  result.device = out.frame.device;
-  result.memory_bytes = out.frame.memory_bytes;
-  result.wall_time_s = out.frame.wall_time_s;
-  result.warnings = out.frame.warnings;
-  result.left_out = out.frame.left_out;
   result.measured_at = time_now();
 }
 
@@ -75,38 +60,6 @@ std::string SceneContext::relative(const std::string& file) const {
   return image_path(name, file);
 }
 
-void summarise_errors(const Image& image, ReferenceResult& result) {
-  const auto visibility = image.plane("visibility");
-  const auto irradiance = image.plane("unshadowed_irradiance");
-  const auto se = image.plane("visibility_se");
-  const auto samples = image.plane("sample_count");
-  const auto primitive = image.plane("primitive_id");
-  double covered = 0.0;
-  for (size_t i = 0; i < se.size(); ++i) {
-    if (primitive[i] < 0.0f) continue;
-    covered += 1.0;
-    result.mean_visibility_se += static_cast<double>(se[i]);
-    result.mean_sample_count += static_cast<double>(samples[i]);
-    result.max_visibility_se = std::max(result.max_visibility_se, static_cast<double>(se[i]));
-    // None where visibility is proven (reference/reference.h), and none where the light cannot be anyway.
-    if (samples[i] > 0.0f || irradiance[i] <= 0.0f) continue;
-    (visibility[i] > 0.0f ? result.proven_lit_share : result.proven_dark_share) += 1.0;
-  }
-  if (covered == 0.0) return;
-  result.mean_visibility_se /= covered;
-  result.mean_sample_count /= covered;
-  result.proven_lit_share /= covered;
-  result.proven_dark_share /= covered;
-}
-
-RenderRequest request_of(const ValidationPlan& plan) {
-  return {.width_px = plan.width_px,
-          .height_px = plan.height_px,
-          .seed = plan.seed,
-          .technique = {},
-          .parameters = {}};
-}
-
 std::vector<TechniqueFrame> choose_runs(const ValidationPlan& plan, const std::string& scene, LightType light,
                                         std::vector<Skip>& skipped) {
   std::vector<TechniqueFrame> runs;
@@ -125,10 +78,8 @@ void render_techniques(const SceneContext& context, std::span<TechniqueFrame> ru
   std::vector<LabelledRequest> requests;
   for (TechniqueFrame& run : runs) {
     if (run.result.is_reused) continue;
-    RenderRequest request = request_of(context.plan);
-    request.technique = run.technique.technique;
-    request.parameters = run.technique.parameters;
-    requests.push_back({run.result.label, request});
+    const PictureQuality& picture = context.plan.picture;
+    requests.push_back({run.result.label, request_of(picture, run.technique, picture.seed)});
     missing.push_back(&run);
   }
   const TimingPlan timing{context.plan.timed_frames, context.plan.timing_budget_s};
@@ -153,16 +104,13 @@ Image require_reference(const SceneContext& context, SceneResult& scene) {
     return image;
   }
   Frame frame;
-  const RenderRequest request = request_of(context.plan);
+  const RenderRequest request = request_of(context.plan.picture);
   ReferenceResult result;
   scene.failure = guarded([&] {
     frame = context.renderers.reference.render(context.scene, request, context.progress);
-    summarise_errors(frame.image, result);
+    result = describe_truth(frame);
   });
   if (scene.failure) return {};
-  result.device = frame.device;
-  result.wall_time_s = frame.wall_time_s;
-  result.warnings = frame.warnings;
   result.measured_at = time_now();
   add_metadata(frame, context.scene, request);
   result.image_file = context.relative("reference.exr");

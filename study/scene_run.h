@@ -32,18 +32,12 @@ struct TechniqueFrame {
   bool has_verdict = false;  // known, though there may be none
 };
 
-/// The plan's size and seed, no technique.
-RenderRequest request_of(const ValidationPlan& plan);
-
 /// Every run of the plan that supports the light, undone; the others join `skipped`.
 std::vector<TechniqueFrame> choose_runs(const ValidationPlan& plan, const std::string& scene, LightType light,
                                         std::vector<Skip>& skipped);
 
 /// Renders all runs that are not reused, stores their images, and times them in turn.
 void render_techniques(const SceneContext& context, std::span<TechniqueFrame> runs);
-
-/// Sets standard errors, sample counts and shares of proven pixels over the covered pixels of a truth.
-void summarise_errors(const Image& image, ReferenceResult& result);
 
 /// The truth: read when scene.reference is known, else rendered and stored. Sets scene.reference, or scene.failure.
 Image require_reference(const SceneContext& context, SceneResult& scene);

@@ -60,6 +60,10 @@ std::vector<StudyCamera> read_one(const TomlNode& table) {
 
 }  // namespace
 
+std::string full_name(const std::string& scene, const std::string& camera) {
+  return camera.empty() ? scene : fmt::format("{}, {}", scene, camera);
+}
+
 std::vector<StudyCamera> read_study_cameras(TomlReader& study) {
   std::vector<StudyCamera> cameras;
   for (const TomlNode* table : study.tables("camera")) {

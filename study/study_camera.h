@@ -16,6 +16,9 @@ struct StudyCamera {
   std::optional<Camera> camera;  // instead of it; near_world may be 0
 };
 
+/// "plate"; from a study's camera "plate, left".
+std::string full_name(const std::string& scene, const std::string& camera);
+
 /// Lists of `orbit_deg` expanded, in file order; none without `[[camera]]`. Error{input} at its place for unknown keys,
 /// names given twice and cameras that see nothing.
 std::vector<StudyCamera> read_study_cameras(TomlReader& study);

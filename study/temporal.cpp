@@ -53,10 +53,8 @@ Image only(const Image& image, std::span<const char* const> channels) {
 }
 
 RenderRequest request_of(const SceneContext& context, const TechniqueFrame& run, uint64_t seed) {
-  RenderRequest request = request_of(context.plan);
-  request.technique = run.technique.technique;
+  RenderRequest request = request_of(context.plan.picture, run.technique, seed);
   request.parameters = run.result.parameters;
-  request.seed = seed;
   return request;
 }
 
@@ -105,7 +103,7 @@ std::optional<double> seed_noise(const SceneContext& context, const TechniqueFra
   std::vector<Image> tests;
   std::vector<const Image*> pointers = {&run.frame.image};
   for (uint64_t k = 1; k < kSeeds; ++k) {
-    const RenderRequest request = request_of(context, run, context.plan.seed + k);
+    const RenderRequest request = request_of(context, run, context.plan.picture.seed + k);
     tests.push_back(context.renderers.realtime.render(context.scene, request, context.progress).image);
   }
   for (const Image& test : tests) pointers.push_back(&test);
@@ -127,11 +125,11 @@ Moment moment_of(const Scene& scene, Motion motion, int k, int height_px) {
 Sequence render_sequence(const SceneContext& context, Motion motion, const Image& reference) {
   Sequence sequence;
   Scene stage = context.scene;
-  const RenderRequest request = request_of(context.plan);
+  const RenderRequest request = request_of(context.plan.picture);
   sequence.moments.push_back({stage.camera, stage.light()});
   sequence.references.push_back(only(reference, kReferenceChannels));
   for (int k = 1; k < context.plan.temporal_frames; ++k) {
-    sequence.moments.push_back(moment_of(context.scene, motion, k, context.plan.height_px));
+    sequence.moments.push_back(moment_of(context.scene, motion, k, context.plan.picture.height_px));
     set(stage, sequence.moments.back());
     const Frame frame = context.renderers.reference.render(stage, request, context.progress);
     sequence.references.push_back(only(frame.image, kReferenceChannels));
@@ -141,7 +139,7 @@ Sequence render_sequence(const SceneContext& context, Motion motion, const Image
 
 void measure_temporal(const SceneContext& context, const Sequence& camera, const Sequence& light,
                       TechniqueFrame& run) {
-  const RenderRequest request = request_of(context, run, context.plan.seed);
+  const RenderRequest request = request_of(context, run, context.plan.picture.seed);
   const auto failure = guarded([&] {
     TemporalNumbers numbers;
     numbers.frames = static_cast<int>(camera.moments.size());

@@ -110,7 +110,7 @@ void measure(const SceneWork& work, SceneResult& scene, std::vector<TechniqueFra
   Frame surfaces;
   scene.failure = guarded([&] {
     if (scene.parity) return;
-    surfaces = work.renderers.realtime.render(*loaded, request_of(work.plan), work.progress);
+    surfaces = work.renderers.realtime.render(*loaded, request_of(work.plan.picture), work.progress);
   });
   if (scene.failure) return runs.clear();
   if (!scene.parity && work.plan.skip && is_unlit(surfaces.image)) {
@@ -179,11 +179,7 @@ Results run_validation(std::span<const SceneSource> scenes, const ValidationPlan
   results.version = UMBRAMETER_VERSION;
   results.commit = UMBRAMETER_COMMIT;
   results.quality = plan.quality;
-  results.width_px = plan.width_px;
-  results.height_px = plan.height_px;
-  results.seed = plan.seed;
-  results.samples_per_pixel = plan.samples_per_pixel;
-  results.target_se = plan.target_se;
+  results.picture = plan.picture;
   for (const SceneSource& source : scenes) {
     const std::string prefix =
         fmt::format("{} ({} of {}), ", source.description.name, results.scenes.size() + 1, scenes.size());

@@ -6,6 +6,7 @@
 #include "scenes/scene.h"
 #include "study/metric_choice.h"
 #include "study/results.h"
+#include "study/technique_run.h"
 
 #include <filesystem>
 #include <functional>
@@ -18,17 +19,6 @@
 namespace umbrameter {
 
 class ValidationMemory;  // study/validation_memory.h
-
-/// One technique with one parameter set, as chosen by the user.
-struct TechniqueRun {
-  std::string technique;  // RenderRequest::technique: id or folder
-  std::string id;
-  std::string label;  // unique in the plan
-  std::string title;
-  std::string hash;
-  ParameterValues parameters;
-  std::vector<LightType> lights;  // supported
-};
 
 /// A loaded scene under the name the user knows it by.
 struct SceneJob {
@@ -49,14 +39,11 @@ SceneSource source_of(const SceneJob& job);
 
 struct ValidationPlan {
   std::string quality;
-  int width_px = 960;
-  int height_px = 540;
-  uint64_t seed = 1;
-  int samples_per_pixel = 1024;     // what the reference renderer was made with; recorded
-  std::optional<double> target_se;  // likewise
-  int timed_frames = 9;             // wanted; fewer when they would exceed the budget, never fewer than 1
-  double timing_budget_s = 3.0;     // a technique and scene
-  int temporal_frames = 0;          // of each sequence; 0 leaves them out
+  /// Samples and target are those that the reference renderer was made with; recorded. The seed is also the runs'.
+  PictureQuality picture{.width_px = 960, .height_px = 540, .samples_per_pixel = 1024};
+  int timed_frames = 9;          // wanted; fewer when they would exceed the budget, never fewer than 1
+  double timing_budget_s = 3.0;  // a technique and scene
+  int temporal_frames = 0;       // of each sequence; 0 leaves them out
   std::vector<TechniqueRun> techniques;
   MetricChoice metrics;
   std::string

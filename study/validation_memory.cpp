@@ -23,25 +23,11 @@ std::string unlit_key(const std::string& reference, const Makers& makers) {
 
 constexpr const char* kUnlit = R"({"unlit": true})";
 
-PictureQuality quality_of(const ValidationPlan& plan) {
-  return {plan.width_px, plan.height_px, plan.samples_per_pixel, plan.target_se, plan.seed, plan.skip};
-}
-
 RecordHead head_of(const SceneSource& source, const ValidationPlan& plan, const std::string& measured_at,
                    double duration_s) {
   const SceneResult& scene = source.description;
-  return {scene.name,
-          {},
-          scene.hash,
-          scene.light_type,
-          plan.width_px,
-          plan.height_px,
-          plan.samples_per_pixel,
-          plan.target_se,
-          plan.seed,
-          UMBRAMETER_COMMIT,
-          measured_at,
-          duration_s};
+  return {scene.name,        {},          scene.hash, scene.light_type, plan.picture,
+          UMBRAMETER_COMMIT, measured_at, duration_s};
 }
 
 /// A file name of a result, and what the file is called in images/<scene>/.
@@ -111,14 +97,15 @@ std::optional<std::string> ValidationMemory::find(const std::string& key) {
 }
 
 std::string ValidationMemory::reference_of(const SceneSource& source, const ValidationPlan& plan) const {
-  return reference_key(source.description.hash, source.active_light, quality_of(plan), makers_);
+  return reference_key(source.description.hash, source.active_light, plan.picture, makers_, plan.skip);
 }
 
 void ValidationMemory::recall(const SceneSource& source, const ValidationPlan& plan, const fs::path& folder,
                               SceneResult& scene, std::vector<TechniqueFrame>& runs) {
   const std::string reference = reference_of(source, plan);
   for (TechniqueFrame& run : runs) {
-    run.key = validated_run_key(run_key(reference, run.technique, plan.seed, plan.metrics, makers_), plan);
+    run.key =
+        validated_run_key(run_key(reference, run.technique, plan.picture.seed, plan.metrics, makers_), plan);
     const auto json = find(run.key);
     auto record = json ? parse_run_record(*json) : std::nullopt;
     if (!record || !is_final(record->result)) continue;

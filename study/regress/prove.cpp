@@ -53,9 +53,9 @@ class StagedTruth : public Renderer {
 RegressPlan plan_of(const SelftestSettings& settings, int samples_per_pixel, const RegressGates& gates) {
   RegressPlan plan;
   plan.suite = "proof";
-  plan.width_px = settings.width_px;
-  plan.height_px = settings.height_px;
-  plan.samples_per_pixel = samples_per_pixel;
+  plan.picture.width_px = settings.width_px;
+  plan.picture.height_px = settings.height_px;
+  plan.picture.samples_per_pixel = samples_per_pixel;
   plan.most_samples_per_pixel = 2 * samples_per_pixel;
   plan.gates = gates;
   TechniqueRun run;
@@ -74,7 +74,7 @@ struct Proof {
 
   RegressRenderers renderers(Renderer& realtime, const MakePicture& truth) const {
     return {realtime, [this, truth](int samples) -> std::unique_ptr<Renderer> {
-              return std::make_unique<StagedTruth>(stage, truth, samples / plan.samples_per_pixel);
+              return std::make_unique<StagedTruth>(stage, truth, samples / plan.picture.samples_per_pixel);
             }};
   }
 };
@@ -91,7 +91,7 @@ const Baseline& recorded(const std::optional<TechniqueChoice>& choice, Proof& pr
   StagedPicture realtime(proof.stage,
                          [&](Stage& stage) { return choice ? stage.picture(*choice) : stage.exact(); });
   RegressPlan plan = proof.plan;
-  plan.seed = kRecordSeed;
+  plan.picture.seed = kRecordSeed;
   SilentProgress silent;
   const RegressResults measured =
       measure_suite({&proof.job, 1}, plan, proof.renderers(realtime, true_picture), silent);
@@ -109,7 +109,7 @@ ProvedFault proved(const FaultCase& fault, Proof& proof) {
   const Trial trial = fault.make(proof.stage);
   const Baseline& baseline = recorded(trial.baseline, proof);
   RegressPlan plan = proof.plan;
-  plan.seed = kCheckSeed;
+  plan.picture.seed = kCheckSeed;
   plan.metric = trial.metric;
   StagedPicture realtime(proof.stage, [&](Stage& stage) { return faulty_picture(fault.make(stage)); });
   const MakePicture truth = [&](Stage& stage) {

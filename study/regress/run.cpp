@@ -67,7 +67,7 @@ RegressCase check_run(const SceneWork& work, RunWork& run, const BaselineScene* 
   if (scene != nullptr && scene->find(out.label) != nullptr) out.before = *scene->find(out.label);
   const auto hopeless = cannot_compare(work.job, scene, run);
   const double seed_sd = out.before ? out.before->numbers.seed_sd : 0.0;
-  int wanted = work.plan.samples_per_pixel;
+  int wanted = work.plan.picture.samples_per_pixel;
   Measured measured;
   while (true) {
     truth.grow_to(wanted);
@@ -86,7 +86,7 @@ RegressCase check_run(const SceneWork& work, RunWork& run, const BaselineScene* 
     wanted = std::min(2 * truth.samples(), work.plan.most_samples_per_pixel);
   }
   out.samples_per_pixel = truth.samples();
-  out.added_samples_per_pixel = truth.samples() - work.plan.samples_per_pixel;
+  out.added_samples_per_pixel = truth.samples() - work.plan.picture.samples_per_pixel;
   out.pictures = static_cast<int>(run.pictures.size());
   if (!measured.numbers) return out;
   out.now = run.described;
@@ -128,13 +128,13 @@ std::vector<RegressCase> stale_cases(const RegressResults& results, const Baseli
 }
 
 RegressResults described(const RegressPlan& plan) {
-  return {plan.suite, plan.width_px, plan.height_px, plan.seed, {}, {}, {}};
+  return {plan.suite, plan.picture.width_px, plan.picture.height_px, plan.picture.seed, {}, {}, {}};
 }
 
 void check_scene(const SceneWork& work, const Baseline& baseline, Truth& truth, RegressResults& results) {
   const BaselineScene* before = baseline.find(work.job.name);
   std::vector<RunWork> runs = first_pictures(work, results.skipped);
-  truth.grow_to(work.plan.samples_per_pixel);
+  truth.grow_to(work.plan.picture.samples_per_pixel);
   const RegressScene scene = {work.job.name, work.job.scene.hash, truth.numbers()};
   results.scenes.push_back(scene);
   check_truth(before, scene, work.plan.gates, results);
@@ -185,9 +185,9 @@ size_t RegressResults::count(CaseOutcome outcome) const {
 
 RegressResults check_suite(std::span<const SceneJob> scenes, const RegressPlan& plan,
                            const Baseline& baseline, const RegressRenderers& renderers, Progress& progress) {
-  if (baseline.width_px != plan.width_px || baseline.height_px != plan.height_px) {
+  if (baseline.width_px != plan.picture.width_px || baseline.height_px != plan.picture.height_px) {
     fail_input(fmt::format("the baseline is of {} x {} px and the suite of {} x {}", baseline.width_px,
-                           baseline.height_px, plan.width_px, plan.height_px),
+                           baseline.height_px, plan.picture.width_px, plan.picture.height_px),
                {}, "record it again with 'regress record --reason TEXT'");
   }
   RegressResults results = described(plan);

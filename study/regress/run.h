@@ -22,10 +22,7 @@ struct RegressRenderers {
 
 struct RegressPlan {
   std::string suite;
-  int width_px = 0;
-  int height_px = 0;
-  uint64_t seed = 1;
-  int samples_per_pixel = 0;
+  PictureQuality picture;          // without a target
   int most_samples_per_pixel = 0;  // of a case that is not clear, and of baselines
   int timed_frames = 0;            // 0 without a gate on time
   double timing_budget_s = 3.0;

@@ -9,16 +9,6 @@
 namespace umbrameter {
 namespace {
 
-RenderRequest request_of(const SceneWork& work, const TechniqueRun& run, uint64_t seed) {
-  RenderRequest request;
-  request.width_px = work.plan.width_px;
-  request.height_px = work.plan.height_px;
-  request.seed = seed;
-  request.technique = run.technique;
-  request.parameters = run.parameters;
-  return request;
-}
-
 std::string void_message(const GateRun& run) {
   if (run.failure) return run.failure->message;
   if (!run.metric_problems.empty()) return run.metric_problems.front();
@@ -31,10 +21,8 @@ std::string void_message(const GateRun& run) {
 void Truth::grow_to(int samples) {
   if (samples <= samples_) return;
   const auto renderer = work_.renderers.make_reference(samples - samples_);
-  RenderRequest request;
-  request.width_px = work_.plan.width_px;
-  request.height_px = work_.plan.height_px;
-  request.seed = work_.plan.seed + kSeedStep * parts_++;
+  RenderRequest request = request_of(work_.plan.picture);
+  request.seed += kSeedStep * parts_++;
   Frame frame = renderer->render(work_.job.scene, request, work_.progress);
   if (samples_ == 0) {
     image_ = std::move(frame.image);
@@ -54,7 +42,7 @@ std::vector<RunWork> first_pictures(const SceneWork& work, std::vector<Skip>& sk
       continue;
     }
     runs.push_back({run, {}, {}, {run.label, run.id, run.hash, "", "", {}, {}}, {}});
-    requests.push_back({run.label, request_of(work, run, work.plan.seed)});
+    requests.push_back({run.label, request_of(work.plan.picture, run, work.plan.picture.seed)});
   }
   const TimingPlan timing = {work.plan.timed_frames, work.plan.timing_budget_s};
   std::vector<TimedRun> timed =
@@ -72,10 +60,10 @@ std::vector<RunWork> first_pictures(const SceneWork& work, std::vector<Skip>& sk
 }
 
 void add_picture(const SceneWork& work, RunWork& run) {
-  const uint64_t seed = work.plan.seed + kSeedStep * run.pictures.size();
+  const uint64_t seed = work.plan.picture.seed + kSeedStep * run.pictures.size();
   run.failure = guarded([&] {
-    Frame frame =
-        work.renderers.realtime.render(work.job.scene, request_of(work, run.run, seed), work.progress);
+    const RenderRequest request = request_of(work.plan.picture, run.run, seed);
+    Frame frame = work.renderers.realtime.render(work.job.scene, request, work.progress);
     run.pictures.push_back(std::move(frame.image));
   });
 }

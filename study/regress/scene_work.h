@@ -28,7 +28,7 @@ class Truth {
   void grow_to(int samples);
   const Image& image() const { return image_; }
   int samples() const { return samples_; }
-  TruthNumbers numbers() const { return truth_numbers(image_, device_, work_.plan.seed); }
+  TruthNumbers numbers() const { return truth_numbers(image_, device_, work_.plan.picture.seed); }
 
  private:
   SceneWork work_;

@@ -22,19 +22,20 @@ void add(const ParameterValues& parameters, Hasher& hasher) {
 
 }  // namespace
 
-std::string reference_key(const Scene& scene, const PictureQuality& quality, const Makers& makers) {
-  return reference_key(scene.hash, scene.active_light, quality, makers);
+std::string reference_key(const Scene& scene, const PictureQuality& picture, const Makers& makers,
+                          bool skip_proven) {
+  return reference_key(scene.hash, scene.active_light, picture, makers, skip_proven);
 }
 
-std::string reference_key(const std::string& scene_hash, size_t active_light, const PictureQuality& quality,
-                          const Makers& makers) {
+std::string reference_key(const std::string& scene_hash, size_t active_light, const PictureQuality& picture,
+                          const Makers& makers, bool skip_proven) {
   Hasher hasher;
   hasher.text("reference").text(kReferenceCodeHash).text(makers.reference);
   hasher.text(scene_hash).number(static_cast<double>(active_light));
-  hasher.number(quality.width_px).number(quality.height_px).number(quality.samples_per_pixel);
-  hasher.number(quality.target_se.value_or(-1.0));  // no standard error is negative
-  if (!quality.skip_proven) hasher.text("every pixel is sampled");
-  return hasher.bytes(&quality.reference_seed, sizeof quality.reference_seed).hex();
+  hasher.number(picture.width_px).number(picture.height_px).number(picture.samples_per_pixel);
+  hasher.number(picture.target_se.value_or(-1.0));  // no standard error is negative
+  if (!skip_proven) hasher.text("every pixel is sampled");
+  return hasher.bytes(&picture.seed, sizeof picture.seed).hex();
 }
 
 std::string run_key(const std::string& reference, const TechniqueRun& run, uint64_t seed,

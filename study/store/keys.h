@@ -19,19 +19,12 @@ struct Makers {
       shaders;  // hash of the folder of shaders: techniques' own hashes leave out those of the G-buffer
 };
 
-struct PictureQuality {
-  int width_px = 0;
-  int height_px = 0;
-  int samples_per_pixel = 0;
-  std::optional<double> target_se;
-  uint64_t reference_seed = 1;
-  bool skip_proven = true;  // off: sample counts differ, and nothing else
-};
-
-std::string reference_key(const Scene& scene, const PictureQuality& quality, const Makers& makers);
+/// Without `skip_proven` sample counts differ, and nothing else.
+std::string reference_key(const Scene& scene, const PictureQuality& picture, const Makers& makers,
+                          bool skip_proven = true);
 /// Of a scene of which no more is known.
-std::string reference_key(const std::string& scene_hash, size_t active_light, const PictureQuality& quality,
-                          const Makers& makers);
+std::string reference_key(const std::string& scene_hash, size_t active_light, const PictureQuality& picture,
+                          const Makers& makers, bool skip_proven = true);
 
 /// Of a run scored against the truth of `reference`, a reference_key(). The parameters are the complete set.
 std::string run_key(const std::string& reference, const TechniqueRun& run, uint64_t seed,

@@ -55,7 +55,7 @@ std::string stress_summary(const StressResults& results) {
   return fmt::format(
       "{} axes, {} techniques, {} cells, {} against the rules; {} x {} px, {} samples a pixel, seed {}",
       plan.axes.size(), results.rows.size() - 1, results.cells.size(), results.violations().size(),
-      plan.width_px, plan.height_px, plan.samples_per_pixel, plan.seed);
+      plan.picture.width_px, plan.picture.height_px, plan.picture.samples_per_pixel, plan.picture.seed);
 }
 
 std::string violation_text(const StressResults& results, const StressCell& cell) {

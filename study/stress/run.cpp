@@ -74,7 +74,8 @@ class AxisWalk {
     }
     journal_.start({truth_row, value});
     const StressPoint point = axis_.point(axis_.values[value]);
-    const StressScene scene = make_stress_scene(point, place_of(value), request(), tools_, progress_);
+    const StressScene scene =
+        make_stress_scene(point, place_of(value), request_of(plan_.picture), tools_, progress_);
     keep_picture(scene.truth, scene.reference, truth_row, value, scene.reference.pixel_count() > 0);
     finish(scene.truth, truth_row, value);
     for (const TechniqueRun& run : tools_.techniques) {
@@ -92,14 +93,6 @@ class AxisWalk {
     return false;
   }
 
-  RenderRequest request() const {
-    return {.width_px = plan_.width_px,
-            .height_px = plan_.height_px,
-            .seed = plan_.seed,
-            .technique = {},
-            .parameters = {}};
-  }
-
   std::filesystem::path place_of(size_t value) const { return folder_ / folder_name(axis_.values[value]); }
 
   StressCell walk_technique(const TechniqueRun& base, const StressPoint& point, const StressScene& scene,
@@ -111,7 +104,6 @@ class AxisWalk {
     if (!has_parameter) return stress_failure(not_applicable, "has no such parameter");
     if (scene.reference.pixel_count() == 0) return of_scene(scene.truth);
     if (const auto reason = skip_reason(base, scene.scene)) return stress_failure(not_applicable, *reason);
-    RenderRequest wanted = request();
     Image picture;
     std::vector<std::string> warnings;
     bool is_concerned = true;
@@ -119,8 +111,7 @@ class AxisWalk {
       const TechniqueRun run = tools_.choose(base, applicable(point.assignments, base), point.edits);
       is_concerned = point.edits.empty() || run.hash != base.hash;
       if (!is_concerned) return;
-      wanted.technique = run.technique;
-      wanted.parameters = run.parameters;
+      const RenderRequest wanted = request_of(plan_.picture, run, plan_.picture.seed);
       Frame frame = tools_.realtime(point.edits).render(scene.scene, wanted, progress_);
       picture = std::move(frame.image);
       warnings = std::move(frame.warnings);

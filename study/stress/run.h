@@ -2,6 +2,7 @@
 // One axis walked: every value for the truth and for every technique, a cell each. Not here: the process it happens in
 // (cli/stress_worker.h) and what the cells say together (study/stress/summary.h).
 
+#include "study/picture_quality.h"
 #include "study/stress/axis.h"
 #include "study/stress/journal.h"
 #include "study/stress/tools.h"
@@ -14,10 +15,7 @@ namespace umbrameter {
 
 struct StressPlan {
   std::string title;
-  int width_px = 128;
-  int height_px = 96;
-  int samples_per_pixel = 256;
-  uint64_t seed = 1;
+  PictureQuality picture{.width_px = 128, .height_px = 96, .samples_per_pixel = 256};  // without a target
   int timeout_s = 300;                  // without a cell done: hangs
   std::vector<std::string> techniques;  // ids or folders; empty = all built-in ones
   std::vector<StressAxis> axes;

@@ -94,10 +94,11 @@ StressPlan read_suite(const TomlNode& root) {
   if (const int64_t schema = reader.integer("schema"); schema != kSuiteSchema)
     reader.fail("schema", fmt::format("'schema' is {}, not {}", schema, kSuiteSchema));
   plan.title = reader.text("title", "");
-  plan.width_px = count(reader, "width_px", plan.width_px, 16384);
-  plan.height_px = count(reader, "height_px", plan.height_px, 16384);
-  plan.samples_per_pixel = count(reader, "samples_per_pixel", plan.samples_per_pixel, 1 << 20);
-  plan.seed = static_cast<uint64_t>(count(reader, "seed", 1, 1 << 30));
+  plan.picture.width_px = count(reader, "width_px", plan.picture.width_px, 16384);
+  plan.picture.height_px = count(reader, "height_px", plan.picture.height_px, 16384);
+  plan.picture.samples_per_pixel =
+      count(reader, "samples_per_pixel", plan.picture.samples_per_pixel, 1 << 20);
+  plan.picture.seed = static_cast<uint64_t>(count(reader, "seed", 1, 1 << 30));
   plan.timeout_s = count(reader, "timeout_s", plan.timeout_s, 86400);
   if (reader.has("techniques")) plan.techniques = reader.texts("techniques");
   for (const TomlNode* table : reader.tables("axis")) plan.axes.push_back(read_axis(*table));

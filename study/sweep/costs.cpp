@@ -39,7 +39,7 @@ Costs costs_of(Store* store) {
   for (const std::string& json : newest(*store, EntryKind::run)) {
     const auto run = parse_run_record(json);
     if (!run || run->result.failure) continue;
-    const double pixels = pixels_of(run->head.width_px, run->head.height_px);
+    const double pixels = pixels_of(run->head.picture.width_px, run->head.picture.height_px);
     costs.run_s_per_pixel[run->result.technique].push_back(run->head.duration_s / pixels);
     if (const auto frame = total_time(run->result.pass_times))
       costs.frame_s_per_pixel[run->result.technique].push_back(1e-3 * frame->median_ms / pixels);
@@ -47,8 +47,8 @@ Costs costs_of(Store* store) {
   for (const std::string& json : newest(*store, EntryKind::reference)) {
     const auto truth = parse_reference_record(json);
     if (!truth) continue;
-    const double samples =
-        pixels_of(truth->head.width_px, truth->head.height_px) * truth->head.samples_per_pixel;
+    const double samples = pixels_of(truth->head.picture.width_px, truth->head.picture.height_px) *
+                           truth->head.picture.samples_per_pixel;
     costs.reference_s_per_sample.push_back(truth->head.duration_s / samples);
   }
   return costs;

@@ -20,14 +20,15 @@ using Json = nlohmann::ordered_json;
 std::string identity_of(const RunRecord& record) {
   const RecordHead& head = record.head;
   return fmt::format("{}\n{}\n{}\n{}\n{}\n{}x{}\n{}\n{}\n{}", head.scene, head.camera, head.light,
-                     record.result.technique, to_text(record.result.parameters), head.width_px,
-                     head.height_px, head.samples_per_pixel, head.target_se.value_or(0.0), head.seed);
+                     record.result.technique, to_text(record.result.parameters), head.picture.width_px,
+                     head.picture.height_px, head.picture.samples_per_pixel,
+                     head.picture.target_se.value_or(0.0), head.picture.seed);
 }
 
 auto order_of(const RunRecord& record) {
   const RecordHead& head = record.head;
-  return std::tie(head.scene, head.camera, record.result.label, head.seed, head.width_px, head.height_px,
-                  head.samples_per_pixel, head.started);
+  return std::tie(head.scene, head.camera, record.result.label, head.picture.seed, head.picture.width_px,
+                  head.picture.height_px, head.picture.samples_per_pixel, head.started);
 }
 
 std::vector<RunRecord> newest(std::vector<RunRecord> runs) {
@@ -70,11 +71,11 @@ std::vector<std::string> cells_of(const RunRecord& record, const std::set<std::s
                                  head.light,
                                  result.label,
                                  result.technique,
-                                 std::to_string(head.seed),
-                                 std::to_string(head.width_px),
-                                 std::to_string(head.height_px),
-                                 std::to_string(head.samples_per_pixel),
-                                 number_text(head.target_se),
+                                 std::to_string(head.picture.seed),
+                                 std::to_string(head.picture.width_px),
+                                 std::to_string(head.picture.height_px),
+                                 std::to_string(head.picture.samples_per_pixel),
+                                 number_text(head.picture.target_se),
                                  status_of(record)};
   add_interval(error.rmse, cells);
   for (const auto& value : {error.bias, error.over_shadowing, error.under_shadowing})

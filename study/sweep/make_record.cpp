@@ -1,22 +1,13 @@
 #include "study/sweep/make_record.h"
 
-#include "umbrameter_version.h"
+#include "study/technique_result.h"
 
 namespace umbrameter {
 
-RecordHead make_head(const StudyScene& scene, const PictureQuality& quality, uint64_t seed) {
-  RecordHead head;
-  head.scene = scene.name;
+RecordHead make_head(const StudyScene& scene, PictureQuality picture, uint64_t seed) {
+  picture.seed = seed;
+  RecordHead head = make_head(scene.name, scene.scene, picture);
   head.camera = scene.camera;
-  head.scene_hash = scene.scene.hash;
-  head.light = to_text(scene.scene.light().type);
-  head.width_px = quality.width_px;
-  head.height_px = quality.height_px;
-  head.samples_per_pixel = quality.samples_per_pixel;
-  head.target_se = quality.target_se;
-  head.seed = seed;
-  head.commit = UMBRAMETER_COMMIT;
-  head.started = time_now();
   return head;
 }
 
@@ -24,25 +15,8 @@ RunRecord make_record(const BenchRun& run, RecordHead head, const std::string& r
   RunRecord record;
   record.head = std::move(head);
   record.reference = reference;
-  TechniqueResult& result = record.result;
-  result.label = run.technique.label;
-  result.technique = run.technique.id;
-  result.title = run.technique.title;
-  result.hash = run.technique.hash;
-  result.parameters = run.technique.parameters;
+  record.result = describe(run.technique);
   return record;
-}
-
-void take_frame(const TimedRun& run, TechniqueResult& result) {
-  const Frame& frame = run.frame;
-  result.parameters = frame.parameters;
-  result.pass_times = summarise(run.times);
-  result.timer = run.timer;
-  result.device = frame.device;
-  result.memory_bytes = frame.memory_bytes;
-  result.wall_time_s = frame.wall_time_s;
-  result.warnings = frame.warnings;
-  result.left_out = frame.left_out;
 }
 
 void take_score(const Score& score, RunRecord& record) {

@@ -11,12 +11,11 @@
 namespace umbrameter {
 
 /// Started now.
-RecordHead make_head(const StudyScene& scene, const PictureQuality& quality, uint64_t seed);
+RecordHead make_head(const StudyScene& scene, PictureQuality picture, uint64_t seed);
 
 /// Without results.
 RunRecord make_record(const BenchRun& run, RecordHead head, const std::string& reference);
 
-void take_frame(const TimedRun& run, TechniqueResult& result);
 void take_score(const Score& score, RunRecord& record);
 
 }  // namespace umbrameter

@@ -48,7 +48,7 @@ PlanStep plan_run(Planner& planner, const StudyScene& job, const std::string& re
   step.run = index;
   step.key = run_key(reference, run.technique, run.seed, planner.plan.metrics, planner.plan.makers);
   const Estimate estimate =
-      estimate_run(planner.costs, run.technique.id, planner.plan.quality, planner.plan.timing);
+      estimate_run(planner.costs, run.technique.id, planner.plan.picture, planner.plan.timing);
   step.estimated_s = estimate.seconds;
   step.like = estimate.like;
   const auto [twin, is_new] = planner.planned.emplace(step.key, run.technique.label);
@@ -65,7 +65,7 @@ PlanStep plan_run(Planner& planner, const StudyScene& job, const std::string& re
 PlanStep plan_reference(const Planner& planner, const std::string& key, const std::vector<PlanStep>& runs) {
   PlanStep step;
   step.key = key;
-  const Estimate estimate = estimate_reference(planner.costs, planner.plan.quality);
+  const Estimate estimate = estimate_reference(planner.costs, planner.plan.picture);
   step.estimated_s = estimate.seconds;
   step.like = estimate.like;
   const bool is_needed =
@@ -122,7 +122,7 @@ std::vector<PlanStep> plan_sweep(const SweepPlan& plan, std::span<const StudySce
   const size_t end = pairs * (plan.shard.index + 1) / plan.shard.count;
   std::vector<PlanStep> steps;
   for (size_t scene = 0; scene < scenes.size(); ++scene) {
-    const std::string reference = reference_key(scenes[scene].scene, plan.quality, plan.makers);
+    const std::string reference = reference_key(scenes[scene].scene, plan.picture, plan.makers);
     std::vector<PlanStep> runs;
     for (size_t run = 0; run < plan.runs.size(); ++run) {
       const size_t pair = scene * plan.runs.size() + run;

@@ -25,7 +25,7 @@ Shard parse_shard(const std::string& text);
 
 struct SweepPlan {
   std::vector<BenchRun> runs;
-  PictureQuality quality;
+  PictureQuality picture;
   MetricChoice metrics;
   Makers makers;
   Shard shard;

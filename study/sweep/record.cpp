@@ -3,6 +3,7 @@
 #include "study/json_optional.h"
 #include "study/json_parts.h"
 #include "study/run_json.h"
+#include "umbrameter_version.h"
 
 #include <fmt/chrono.h>
 
@@ -18,11 +19,11 @@ Json head_json(const RecordHead& head, const std::string& status) {
           {"camera", head.camera},
           {"scene_hash", head.scene_hash},
           {"light", head.light},
-          {"width_px", head.width_px},
-          {"height_px", head.height_px},
-          {"samples_per_pixel", head.samples_per_pixel},
-          {"target_se", optional_json(head.target_se)},
-          {"seed", head.seed},
+          {"width_px", head.picture.width_px},
+          {"height_px", head.picture.height_px},
+          {"samples_per_pixel", head.picture.samples_per_pixel},
+          {"target_se", optional_json(head.picture.target_se)},
+          {"seed", head.picture.seed},
           {"status", status},
           {"commit", head.commit},
           {"started", head.started},
@@ -35,11 +36,7 @@ RecordHead read_head(const nlohmann::json& json) {
   head.camera = json.at("camera");
   head.scene_hash = json.at("scene_hash");
   head.light = json.at("light");
-  head.width_px = json.at("width_px");
-  head.height_px = json.at("height_px");
-  head.samples_per_pixel = json.at("samples_per_pixel");
-  head.target_se = read_optional<double>(json.at("target_se"));
-  head.seed = json.at("seed");
+  head.picture = read_picture_quality(json);
   head.commit = json.at("commit");
   head.started = json.at("started");
   head.duration_s = json.at("duration_s");
@@ -51,6 +48,17 @@ std::string compact(const Json& json) {
 }
 
 }  // namespace
+
+RecordHead make_head(const std::string& name, const Scene& scene, const PictureQuality& picture) {
+  RecordHead head;
+  head.scene = name;
+  head.scene_hash = scene.hash;
+  head.light = to_text(scene.light().type);
+  head.picture = picture;
+  head.commit = UMBRAMETER_COMMIT;
+  head.started = time_now();
+  return head;
+}
 
 std::string status_of(const RunRecord& record) {
   if (record.result.failure) return "failed";

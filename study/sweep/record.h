@@ -1,6 +1,8 @@
 #pragma once
 // What the store holds of a run and of a truth. Not here: under which key (study/store/keys.h).
 
+#include "scenes/scene.h"
+#include "study/picture_quality.h"
 #include "study/results.h"
 
 #include <cstdint>
@@ -15,12 +17,8 @@ struct RecordHead {
   std::string scene;
   std::string camera;  // of the study; empty: the scene's own
   std::string scene_hash;
-  std::string light;  // type
-  int width_px = 0;
-  int height_px = 0;
-  int samples_per_pixel = 0;
-  std::optional<double> target_se;
-  uint64_t seed = 1;
+  std::string light;       // type
+  PictureQuality picture;  // of a run: with its seed
   std::string commit;
   std::string started;
   double duration_s = 0.0;
@@ -41,6 +39,9 @@ struct ReferenceRecord {
   RecordHead head;
   ReferenceResult result;
 };
+
+/// Of the scene from its own camera, started now.
+RecordHead make_head(const std::string& name, const Scene& scene, const PictureQuality& picture);
 
 /// "ok", "failed", or "void": the renderers see different surfaces.
 std::string status_of(const RunRecord& record);

@@ -1,14 +1,14 @@
 #include "study/sweep/sweep.h"
 
 #include "core/clock.h"
-#include "core/image_io.h"
 #include "study/guard.h"
 #include "study/metadata.h"
-#include "study/scene_run.h"
 #include "study/score.h"
+#include "study/store/stored_truth.h"
 #include "study/sweep/make_record.h"
 #include "study/sweep/share_progress.h"
 #include "study/sweep/verdicts.h"
+#include "study/technique_result.h"
 
 #include <fmt/format.h>
 
@@ -43,25 +43,8 @@ struct Context {
   SweepOutcome outcome;
 };
 
-RenderRequest request_of(const SweepPlan& plan, uint64_t seed) {
-  RenderRequest request;
-  request.width_px = plan.quality.width_px;
-  request.height_px = plan.quality.height_px;
-  request.seed = seed;
-  return request;
-}
-
 LabelledRequest request_of(const SweepPlan& plan, const BenchRun& run) {
-  RenderRequest request = request_of(plan, run.seed);
-  request.technique = run.technique.technique;
-  request.parameters = run.technique.parameters;
-  return {run.technique.label, request};
-}
-
-std::string keep(const Context& context, const Image& image) {
-  const std::filesystem::path file = context.scratch / "image.exr";
-  write_exr(file, image);
-  return context.store.keep(file);
+  return {run.technique.label, request_of(plan.picture, run.technique, run.seed)};
 }
 
 void report(Context& context, const std::string& what, const Failure& failure) {
@@ -70,25 +53,21 @@ void report(Context& context, const std::string& what, const Failure& failure) {
   if (context.failed) context.failed(named);
 }
 
-void render_truth(Context& context, const PlanStep& step) {
-  const StudyScene& job = context.scenes[step.scene];
-  const uint64_t seed = context.plan.quality.reference_seed;
-  const RenderRequest request = request_of(context.plan, seed);
+void render_truth(Context& context, size_t scene, const std::string& key) {
+  const StudyScene& job = context.scenes[scene];
+  const PictureQuality& picture = context.plan.picture;
+  const RenderRequest request = request_of(picture);
   const Clock::time_point start = Clock::now();
-  ReferenceRecord record{make_head(job, context.plan.quality, seed), {}};
+  ReferenceRecord record{make_head(job, picture, picture.seed), {}};
   Frame frame;
   const auto failure = guarded([&] {
     frame = context.renderers.reference.render(job.scene, request, context.progress);
-    summarise_errors(frame.image, record.result);
+    record.result = describe_truth(frame);
   });
   if (failure) return report(context, full_name(job), *failure);
   record.head.duration_s = seconds_since(start);
-  record.result.device = frame.device;
-  record.result.wall_time_s = frame.wall_time_s;
-  record.result.warnings = frame.warnings;
   add_metadata(frame, job.scene, request);
-  record.result.image_file = keep(context, frame.image);
-  context.store.put({step.key, EntryKind::reference, to_json_text(record)});
+  keep_truth(context.store, key, std::move(record), frame.image, context.scratch);
   ++context.outcome.references_rendered;
   context.truth.image = std::move(frame.image);
 }
@@ -97,16 +76,9 @@ void render_truth(Context& context, const PlanStep& step) {
 void require_truth(Context& context, size_t scene, const std::string& key) {
   if (context.truth.scene == scene) return;
   context.truth = {scene, std::nullopt, {}};
-  if (context.plan.reuse) {
-    const auto json = context.store.find(key);
-    const auto record = json ? parse_reference_record(*json) : std::nullopt;
-    if (record) context.truth.image = read_image(context.store.path_of(record->result.image_file));
-    if (record) return;
-  }
-  PlanStep step;
-  step.scene = scene;
-  step.key = key;
-  render_truth(context, step);
+  auto known = context.plan.reuse ? find_truth(context.store, key) : std::nullopt;
+  if (!known) return render_truth(context, scene, key);
+  context.truth.image = std::move(known->image);
 }
 
 /// The first frame, and when times are wanted those of more, in turn with the baseline's.
@@ -140,7 +112,7 @@ void render_run(Context& context, const PlanStep& step, const std::string& refer
   const StudyScene& job = context.scenes[step.scene];
   const SweepPlan& plan = context.plan;
   const BenchRun& run = plan.runs[*step.run];
-  RunRecord record = make_record(run, make_head(job, plan.quality, run.seed), reference);
+  RunRecord record = make_record(run, make_head(job, plan.picture, run.seed), reference);
   const size_t baseline = baseline_of(plan, job.scene, *step.run);
   if (baseline != *step.run) {
     const BenchRun& first = plan.runs[baseline];
@@ -161,7 +133,7 @@ void render_run(Context& context, const PlanStep& step, const std::string& refer
     });
   }
   record.head.duration_s = result.wall_time_s + seconds_since(start);
-  if (!result.failure) result.image_file = keep(context, picture.image);
+  if (!result.failure) result.image_file = keep_image(context.store, picture.image, context.scratch);
   context.store.put({step.key, EntryKind::run, to_json_text(record)});
   ++context.outcome.rendered;
   if (result.failure)

@@ -34,7 +34,7 @@ class Last {
 const RunRecord* labelled(std::span<const RunRecord> runs, const std::string& label, const RunRecord& run) {
   const auto found = std::ranges::find_if(runs, [&](const RunRecord& other) {
     return other.result.label == label && other.reference == run.reference &&
-           other.head.seed == run.head.seed;
+           other.head.picture.seed == run.head.picture.seed;
   });
   return found == runs.end() ? nullptr : &*found;
 }

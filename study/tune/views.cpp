@@ -112,7 +112,8 @@ namespace {
 /// Absent when it is not comparable or does not see enough: it may stand in a wall.
 std::optional<View> turned_view(Studio& studio, const View& own, double angle_deg) {
   std::optional<View> view;
-  guarded([&] { view = studio.make_view(*own.job, angle_deg, own.fidelity); });
+  const auto failure = guarded([&] { view = studio.make_view(*own.job, angle_deg, own.fidelity); });
+  if (failure && failure->kind != ErrorKind::input) throw Error(failure->kind, failure->message);
   return view && sees_enough(*view, own) ? std::move(view) : std::nullopt;
 }
 

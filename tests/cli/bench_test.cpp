@@ -73,6 +73,42 @@ TEST_F(GlBenchCommand, PrintsTablesAndClaims) {
     EXPECT_THAT(result.out, HasSubstr(part));
 }
 
+TEST_F(GlBenchCommand, TruthsAreRenderedOnceAStore) {
+  write_scene("scene.toml");
+  write("study.toml",
+        std::string(kHead) +
+            "scenes = [\"scene.toml\"]\nframes = 2\n[[camera]]\nname = "
+            "\"own\"\n[[camera]]\nname = \"side\"\norbit_deg = 15\n[[run]]\ntechnique = \"hard\"\n");
+  const auto bench = [&](const std::vector<std::string>& more, size_t reused) {
+    std::vector<std::string> arguments = {"bench", "study.toml", "--json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const ProcessResult result = umbrameter(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    const std::string note = reused > 0 ? "2 truths reused, about " : "";
+    EXPECT_EQ(result.err.find("reused") != std::string::npos, reused > 0) << result.err;
+    EXPECT_THAT(result.err, HasSubstr(note));
+    const Json json = Json::parse(result.out);
+    EXPECT_EQ(json["skipped"].size(), reused);
+    for (const Json& skip : json["skipped"]) {
+      EXPECT_EQ(skip["reason"], "its truth is stored");
+      EXPECT_TRUE(skip["saved_s"].is_number());
+    }
+    Json numbers;
+    for (const Json& scene : json["scenes"])
+      numbers.push_back({scene["name"], scene["reference_device"], scene["parity"], scene["runs"][0]["rmse"],
+                         scene["runs"][0]["bias"]});
+    return numbers;
+  };
+  const Json alone = bench({}, 0);
+  EXPECT_THAT(files(), ElementsAre("scene.toml", "study.toml"));
+  EXPECT_NE(alone[0][3], alone[1][3]);  // two cameras
+  EXPECT_EQ(bench({"--out", "out"}, 0), alone);
+  EXPECT_EQ(bench({"--out", "out"}, 2), alone);
+  EXPECT_EQ(bench({"--out", "out", "--no-reuse"}, 0), alone);
+  const ProcessResult sweep = umbrameter({"sweep", "study.toml", "--out", "out", "--json"});
+  EXPECT_EQ(Json::parse(sweep.out)["references_rendered"], 0) << sweep.err;
+}
+
 TEST_F(BenchCommand, SlipsAreFoundBeforeAnythingIsRendered) {
   const auto study = [&](const std::string& runs) {
     write("study.toml", std::string(kHead) + "scenes = [\"plate\"]\n" + runs);
@@ -109,6 +145,7 @@ TEST_F(BenchCommand, TimesNeedUnitsAndCsvItsName) {
   expect_bad_input(umbrameter({"bench", "study.toml", "--best-under", "1"}), "such as 1ms");
   expect_bad_input(umbrameter({"bench", "study.toml", "--best-under", "-1ms"}), "not a time");
   expect_bad_input(umbrameter({"bench", "study.toml", "--cheapest-below-rmse", "0"}), "not positive");
+  expect_bad_input(umbrameter({"bench", "study.toml", "--no-reuse"}), "needs --out");
   expect_bad_input(umbrameter({"bench", "study.toml", "--csv", "runs.txt"}), "does not end in '.csv'");
   expect_bad_input(umbrameter({"bench", "study.toml", "--truth", "truth.json"}), "does not end in '.csv'");
 }

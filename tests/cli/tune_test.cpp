@@ -53,6 +53,27 @@ TEST_F(GlTuneCommand, WritesAPresetThatOtherCommandsTake) {
   EXPECT_EQ(run["parameters"]["filter_width_texels"], width);
 }
 
+TEST_F(GlTuneCommand, TruthsAreRenderedOnce) {
+  write_scene("scene.toml");
+  const auto tune = [&](const std::vector<std::string>& more, bool reuses) {
+    std::vector<std::string> arguments = {"tune",         "scene.toml",  "--technique",   "pcf:map_size=64",
+                                          "--parameters", "bias_texels", "--evaluations", "6",
+                                          "--cameras",    "1",           "--width",       "64",
+                                          "--height",     "36",          "--spp",         "64",
+                                          "--json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const ProcessResult result = umbrameter(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.err.find(" reused, about ") != std::string::npos, reuses) << result.err;
+    Json json = Json::parse(result.out, nullptr, false);
+    json.erase("wall_time_s");
+    return json;
+  };
+  const Json without = tune({"--out", "best", "--no-reuse"}, false);
+  EXPECT_EQ(tune({"--out", "best"}, true), without);
+  EXPECT_EQ(tune({"--out", "best", "--no-reuse"}, false), without);
+}
+
 TEST_F(TuneCommand, MistakesAreFoundBeforeAnythingIsRendered) {
   write_scene("scene.toml");
   const auto tune = [&](std::vector<std::string> arguments) {

@@ -145,10 +145,10 @@ class Bench : public testing::Test {
       const double ms = request.technique == "exact" ? 4.0 : 1.0;
       return std::vector<double>{ms, 0.001 * frame};
     };
-    plan_.width_px = kFakeWidth_px;
-    plan_.height_px = kFakeHeight_px;
+    plan_.picture.width_px = kFakeWidth_px;
+    plan_.picture.height_px = kFakeHeight_px;
     plan_.timing = {.wanted_frames = 10, .budget_s = 3.0};
-    plan_.reference_seed = 7;
+    plan_.picture.seed = 7;
     for (const char* id : {"exact", "off", "broken"}) plan_.runs.push_back({fake_technique(id), 7});
     plan_.runs.push_back({fake_technique("sun-only", {LightType::sun}), 7});
     Claim claim;

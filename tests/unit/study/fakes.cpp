@@ -129,10 +129,10 @@ TechniqueRun fake_technique(const std::string& id, std::vector<LightType> lights
 ValidationPlan fake_plan(std::vector<TechniqueRun> techniques) {
   ValidationPlan plan;
   plan.quality = "quick";
-  plan.width_px = kFakeWidth_px;
-  plan.height_px = kFakeHeight_px;
-  plan.seed = 7;
-  plan.samples_per_pixel = 64;
+  plan.picture.width_px = kFakeWidth_px;
+  plan.picture.height_px = kFakeHeight_px;
+  plan.picture.seed = 7;
+  plan.picture.samples_per_pixel = 64;
   plan.timed_frames = 5;
   plan.techniques = std::move(techniques);
   return plan;

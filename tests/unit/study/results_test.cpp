@@ -21,13 +21,13 @@ using testing::ThrowsMessage;
 TEST(Results, SurviveJsonWithEveryBit) {
   const TemporaryFolder folder;
   Results results = fake_results(folder.path());
-  results.target_se = 0.1 + 0.2;  // no short decimal
-  results.seed = 18446744073709551615u;
+  results.picture.target_se = 0.1 + 0.2;  // no short decimal
+  results.picture.seed = 18446744073709551615u;
   const std::string text = to_json_text(results);
   const Results back = parse_results(text, "results.json");
   EXPECT_EQ(to_json_text(back), text);
-  EXPECT_EQ(back.target_se, results.target_se);
-  EXPECT_EQ(back.seed, results.seed);
+  EXPECT_EQ(back.picture.target_se, results.picture.target_se);
+  EXPECT_EQ(back.picture.seed, results.picture.seed);
   EXPECT_EQ(back.scenes[0].techniques[1].error->rmse->high,
             results.scenes[0].techniques[1].error->rmse->high);
   EXPECT_EQ(back.scenes[0].techniques[1].parameters, results.scenes[0].techniques[1].parameters);

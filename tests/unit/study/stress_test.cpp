@@ -196,7 +196,7 @@ TEST(StressSuite, chooses_axes_values_and_parameters) {
       "1]\n"
       "[[axis]]\nparameter = \"bias_world\"\nvalues = [0, 0.5]\n",
       "s.toml");
-  EXPECT_EQ(plan.width_px, 32);
+  EXPECT_EQ(plan.picture.width_px, 32);
   ASSERT_EQ(plan.axes.size(), 2u);
   EXPECT_EQ(plan.axes[0].nominal, 1u);
   EXPECT_EQ(plan.axes[1].name, "bias_world");

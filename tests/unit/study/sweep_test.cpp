@@ -35,7 +35,7 @@ class SweepTest : public testing::Test {
     for (const char* id : {"exact", "off", "broken"}) plan_.runs.push_back({fake_technique(id), 1});
     plan_.runs.push_back({fake_technique("sun-only", {LightType::sun}), 1});
     for (BenchRun& run : plan_.runs) run.technique.hash = run.technique.id;  // folders that differ
-    plan_.quality = {kFakeWidth_px, kFakeHeight_px, 64, {}, 1};
+    plan_.picture = {kFakeWidth_px, kFakeHeight_px, 64, {}, 1};
     plan_.makers = {"fake tracer", "fake device", "feed"};
     create_folder(scratch());
   }
@@ -329,7 +329,7 @@ TEST_F(SweepTest, CsvHasAColumnForEachParameter) {
 }
 
 TEST_F(SweepTest, KeysHoldWhatChangesTheNumberAndNothingElse) {
-  const PictureQuality quality = plan_.quality;
+  const PictureQuality quality = plan_.picture;
   const Makers makers = plan_.makers;
   const TechniqueRun run = fake_technique("exact");
   const auto key = [&](const Scene& scene, const PictureQuality& with, const TechniqueRun& technique,
@@ -356,7 +356,7 @@ TEST_F(SweepTest, KeysHoldWhatChangesTheNumberAndNothingElse) {
   changed.target_se = 0.01;
   keys.push_back(key(scene, changed, run, 1, makers));
   changed = quality;
-  changed.reference_seed = 2;
+  changed.seed = 2;
   keys.push_back(key(scene, changed, run, 1, makers));
   for (const auto change : {&Makers::reference, &Makers::realtime, &Makers::shaders}) {
     Makers others = makers;

@@ -216,6 +216,14 @@ TEST_F(Tune, OneCameraIsTunedOnAloneAndScoredElsewhere) {
   EXPECT_EQ(views_of(result, true).size(), 8u);
 }
 
+TEST_F(Tune, AFailureOfTheMachineIsNoCameraThatSeesTooLittle) {
+  reference = FakeRenderer([this](const RenderRequest&) {
+    if (reference.requests.size() > 1) fail_environment("the disk is full");
+    return frame_of(reference_image());
+  });
+  EXPECT_THROW(run(), Error);
+}
+
 TEST_F(Tune, SaysHowSureItIsThatTheTunedValuesAreBetter) {
   const TuneResult result = run();
   for (const Candidate& other : result.others) {

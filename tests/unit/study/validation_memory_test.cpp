@@ -73,7 +73,7 @@ TEST_F(Memory, WhateverChangesANumberIsAnotherQuestion) {
   other.techniques[0].parameters["taps"] = int64_t{32};
   EXPECT_EQ(validate(other).work.rendered, 1u);
   other = plan;
-  other.seed = 8;
+  other.picture.seed = 8;
   EXPECT_EQ(validate(other).work.references_rendered, 1u);
   EXPECT_EQ(validate(plan, true, "device 2").work.rendered, 1u);
   EXPECT_EQ(validate(plan, false).work.rendered, 1u);

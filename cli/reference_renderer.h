@@ -1,0 +1,19 @@
+#pragma once
+// The ray tracer, with the samples of a picture's quality.
+
+#include "cli/verbs.h"
+#include "core/renderer.h"
+#include "study/picture_quality.h"
+
+#include <memory>
+
+namespace umbrameter {
+
+/// Who makes truths, as keys of the store have it (study/store/keys.h).
+inline constexpr const char* kReferenceMaker = "Embree " UMBRAMETER_EMBREE_VERSION;
+
+/// `skip_proven`: as in reference/reference.h.
+std::unique_ptr<Renderer> open_reference_renderer(const GlobalOptions& options, const PictureQuality& picture,
+                                                  bool skip_proven = true);
+
+}  // namespace umbrameter

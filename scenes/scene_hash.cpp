@@ -1,0 +1,42 @@
+#include "scenes/scene_hash.h"
+
+#include "core/hash.h"
+
+namespace umbrameter {
+namespace {
+
+void hash_vector(Hasher& hasher, const glm::dvec3& v) {
+  hasher.number(v.x).number(v.y).number(v.z);
+}
+
+void hash_light(Hasher& hasher, const Light& light) {
+  hasher.text(to_text(light.type));
+  for (const glm::dvec3& v :
+       {light.center_world, light.tangent_world, light.bitangent_world, light.direction_world}) {
+    hash_vector(hasher, v);
+  }
+  hasher.number(light.size_world.x)
+      .number(light.size_world.y)
+      .number(light.radius_world)
+      .number(light.half_angle_rad);
+}
+
+}  // namespace
+
+std::string hash_scene(const Scene& scene) {
+  Hasher hasher;
+  for (const glm::dvec3& v : {scene.camera.eye_world, scene.camera.at_world, scene.camera.up_world}) {
+    hash_vector(hasher, v);
+  }
+  hasher.number(scene.camera.vertical_fov_deg).number(scene.camera.near_world);
+  hasher.number(static_cast<double>(scene.lights.size()));
+  for (const Light& light : scene.lights) hash_light(hasher, light);
+  hasher.number(static_cast<double>(scene.positions_world.size()));
+  hasher.values(std::span<const glm::vec3>(scene.positions_world));
+  hasher.number(static_cast<double>(scene.normals_world.size()));
+  hasher.values(std::span<const glm::vec3>(scene.normals_world));
+  hasher.values(std::span<const glm::uvec3>(scene.triangles));
+  return hasher.hex();
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,12 @@
+#pragma once
+// What Scene::hash stands for.
+
+#include "scenes/scene.h"
+
+namespace umbrameter {
+
+/// Of everything that can change a picture but the choice of the active light: the scene as it is now, whatever its
+/// `hash` says.
+std::string hash_scene(const Scene& scene);
+
+}  // namespace umbrameter

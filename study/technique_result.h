@@ -1,0 +1,16 @@
+#pragma once
+// From a run to what is said of it, before it is scored.
+
+#include "study/results.h"
+#include "study/technique_run.h"
+#include "study/timing.h"
+
+namespace umbrameter {
+
+/// Nothing is known but what was asked.
+TechniqueResult describe(const TechniqueRun& run);
+
+/// What a run that has not failed says of its frames, all but the image.
+void take_frame(const TimedRun& run, TechniqueResult& result);
+
+}  // namespace umbrameter
