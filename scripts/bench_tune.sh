@@ -47,7 +47,7 @@ presets() {
 }
 grid() {
   measure "grid-$1-$technique" "$1" --technique "$2" --parameters "$parameters" --evaluations "$evaluations" \
-    --grid "$steps" --cameras 1 --time-limit "$patience"
+    --grid "$steps" --cameras 1 --no-coarse --time-limit "$patience"
 }
 
 measure_all presets
