@@ -60,7 +60,7 @@ int verdict(const BenchResults& results) {
 
 /// One study, loaded and checked, so that a bad one costs no time.
 struct LoadedStudy {
-  BenchPlan plan;
+  std::vector<BenchPlan> plans;  // one a quality
   std::vector<StudyScene> scenes;
 };
 
@@ -68,7 +68,8 @@ LoadedStudy load(const std::string& file, const BenchOptions& options, const Hom
                  const SceneSearch& search, Progress& progress) {
   const StudyFile study = load_study(file);
   LoadedStudy loaded;
-  loaded.plan = make_plan(study, file, choose_study_quality(study, options.quality), options, home);
+  for (const Quality& quality : choose_study_qualities(study, options.quality))
+    loaded.plans.push_back(make_plan(study, file, quality, options, home));
   loaded.scenes = load_study_scenes(study, file, search, progress);
   return loaded;
 }
@@ -89,8 +90,8 @@ TruthPlan make_truth_plan(int threads) {
   return plan;
 }
 
-BenchResults run(const LoadedStudy& study, Renderer& realtime, TruthMemory& memory, const TruthPlan& truth,
-                 ProgressBar& progress) {
+BenchResults run(const BenchPlan& plan, std::span<const StudyScene> scenes, Renderer& realtime,
+                 TruthMemory& memory, const TruthPlan& truth, ProgressBar& progress) {
   ReusedTruths all;
   std::vector<Skip> skipped;
   const auto scene_done = [&](const BenchScene& scene) {
@@ -101,14 +102,23 @@ BenchResults run(const LoadedStudy& study, Renderer& realtime, TruthMemory& memo
     if (reused.count > 0) skipped.push_back({scene.name, "", "its truth is stored", reused.saved_s});
     all += reused;
   };
-  BenchResults results = run_bench(study.scenes, study.plan, {memory.reference(study.plan.picture), realtime},
-                                   progress, scene_done, truth);
+  BenchResults results =
+      run_bench(scenes, plan, {memory.reference(plan.picture), realtime}, progress, scene_done, truth);
   results.skipped.insert(results.skipped.end(), skipped.begin(), skipped.end());
   if (all.count > 0) print_note(reused_line(all));
   return results;
 }
 
-/// One object, or {"studies": [...]} of several.
+void require_one_table(const BenchOptions& options, const std::vector<LoadedStudy>& studies) {
+  const bool has_one = studies.size() == 1 && studies.front().plans.size() == 1;
+  for (const auto& [option, file] : {std::pair("--csv", &options.csv), {"--truth", &options.truth_csv}}) {
+    if (file->empty() || has_one) continue;
+    fail_input(fmt::format("{} takes one study of one quality, as each has a table of its own", option), {},
+               "run them one by one");
+  }
+}
+
+/// One object, or {"studies": [...]} of several studies or qualities.
 std::string json_of(const std::vector<BenchResults>& all, const BenchQueries& queries) {
   if (all.size() == 1) return to_json_text(all.front(), queries);
   std::string text;
@@ -122,11 +132,6 @@ std::string json_of(const std::vector<BenchResults>& all, const BenchQueries& qu
 
 int bench(const BenchOptions& options, const GlobalOptions& global) {
   const BenchQueries queries = choose_queries(options);
-  for (const auto& [option, file] : {std::pair("--csv", &options.csv), {"--truth", &options.truth_csv}}) {
-    if (file->empty() || options.studies.size() == 1) continue;
-    fail_input(fmt::format("{} takes one study, as each file has a table of its own", option), {},
-               "run them one by one");
-  }
   if (options.no_reuse && global.out.empty())
     fail_input("--no-reuse needs --out", {}, "without a store nothing is reused");
   const Home home = find_home();
@@ -139,16 +144,19 @@ int bench(const BenchOptions& options, const GlobalOptions& global) {
   std::vector<LoadedStudy> studies;
   for (const std::string& file : options.studies)
     studies.push_back(load(file, options, home, search, progress));
+  require_one_table(options, studies);
   TruthMemory memory(global, global.out, !options.no_reuse);
   const auto realtime = open_realtime_renderer(global, home);
   const TruthPlan truth = truth_file ? make_truth_plan(global.threads) : TruthPlan{};
   std::vector<BenchResults> all;
   int code = kExitFine;
   for (LoadedStudy& study : studies) {
-    all.push_back(run(study, *realtime, memory, truth, progress));
+    for (const BenchPlan& plan : study.plans) {
+      all.push_back(run(plan, study.scenes, *realtime, memory, truth, progress));
+      if (!global.json) print_answer(bench_text(all.back(), queries, options.with_passes));
+      code = std::max(code, verdict(all.back()));
+    }
     study.scenes.clear();
-    if (!global.json) print_answer(bench_text(all.back(), queries, options.with_passes));
-    code = std::max(code, verdict(all.back()));
   }
   if (csv) {
     write_file_atomically(csv->staged(), to_csv(all.front()));

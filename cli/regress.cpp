@@ -46,7 +46,10 @@ LoadedSuite load(const RegressOptions& options, const GlobalOptions& global, con
   const std::filesystem::path file = options.suite;
   const RegressSuite suite = load_suite(file);
   LoadedSuite loaded;
-  loaded.quality = choose_study_quality(suite.study, {});
+  if (suite.study.qualities.size() > 1)
+    fail_input(fmt::format("a suite takes one quality, not {}", suite.study.qualities.size()),
+               suite.study.where);
+  loaded.quality = choose_study_qualities(suite.study, {}).front();
   RegressPlan& plan = loaded.plan;
   plan.suite = file.stem().string();
   plan.picture = loaded.quality.picture;

@@ -83,16 +83,32 @@ std::vector<BenchRun> choose_study_runs(const StudyFile& study, const std::files
   return all;
 }
 
-Quality choose_study_quality(const StudyFile& study, const QualityOptions& given) {
-  QualityOptions options = given;
-  options.quality = study.quality;
-  options.where = study.where;
-  options.seed = study.seeds.front();
-  if (!options.width) options.width = study.width_px;
-  if (!options.height) options.height = study.height_px;
-  if (!options.samples_per_pixel) options.samples_per_pixel = study.samples_per_pixel;
-  if (!options.target_se) options.target_se = study.target_se;
-  return choose_quality(options);
+std::vector<Quality> choose_study_qualities(const StudyFile& study, const QualityOptions& given) {
+  if (study.qualities.size() > 1 &&
+      (given.width || given.height || given.samples_per_pixel || given.target_se)) {
+    fail_input(fmt::format("the study has {} qualities, each with a size and samples of its own",
+                           study.qualities.size()),
+               study.where, "leave out --width, --height and --spp");
+  }
+  std::vector<Quality> qualities;
+  for (const std::string& name : study.qualities) {
+    QualityOptions options = given;
+    options.quality = name;
+    options.where = study.where;
+    options.seed = study.seeds.front();
+    if (!options.width) options.width = study.width_px;
+    if (!options.height) options.height = study.height_px;
+    if (!options.samples_per_pixel) options.samples_per_pixel = study.samples_per_pixel;
+    if (!options.target_se) options.target_se = study.target_se;
+    qualities.push_back(choose_quality(options));
+  }
+  return qualities;
+}
+
+std::string quality_heading(const Quality& quality) {
+  const PictureQuality& picture = quality.picture;
+  return fmt::format("{}, {} x {} px, {} samples\n", quality.name, picture.width_px, picture.height_px,
+                     picture.samples_per_pixel);
 }
 
 }  // namespace umbrameter

@@ -20,7 +20,11 @@ std::vector<StudyScene> load_study_scenes(const StudyFile& study, const std::fil
 std::vector<BenchRun> choose_study_runs(const StudyFile& study, const std::filesystem::path& file,
                                         const Home& home);
 
-/// The study's quality with its own numbers, and those of `given` (its name and seed aside) above them.
-Quality choose_study_quality(const StudyFile& study, const QualityOptions& given);
+/// The study's qualities with its own numbers, and those of `given` (its name and seed aside) above them. Error{input} for
+/// `given` numbers and several qualities.
+std::vector<Quality> choose_study_qualities(const StudyFile& study, const QualityOptions& given);
+
+/// "quick, 480 x 270 px, 256 samples", above what is printed of one of several.
+std::string quality_heading(const Quality& quality);
 
 }  // namespace umbrameter

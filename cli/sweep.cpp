@@ -29,7 +29,8 @@ struct SweepOptions {
 
 /// A study loaded and checked, with the renderer whose device its keys name.
 struct LoadedSweep {
-  SweepPlan plan;
+  std::vector<Quality> qualities;
+  SweepPlan plan;  // of any of them, but for its picture
   std::vector<StudyScene> scenes;
   std::unique_ptr<Renderer> realtime;
 };
@@ -41,7 +42,7 @@ LoadedSweep load(const SweepOptions& options, const GlobalOptions& global, Progr
   LoadedSweep loaded;
   SweepPlan& plan = loaded.plan;
   plan.runs = choose_study_runs(study, options.study, home);
-  plan.picture = choose_study_quality(study, options.quality).picture;
+  loaded.qualities = choose_study_qualities(study, options.quality);
   plan.metrics = choose_metrics(options.metrics);
   plan.shard = parse_shard(options.shard);
   plan.reuse = !options.no_reuse;
@@ -52,50 +53,69 @@ LoadedSweep load(const SweepOptions& options, const GlobalOptions& global, Progr
   return loaded;
 }
 
+/// The object of one quality, or {"qualities": [...]} of several, each with its name.
+nlohmann::ordered_json of_qualities(const std::vector<Quality>& qualities, nlohmann::ordered_json all) {
+  if (all.size() == 1) return all.front();
+  for (size_t i = 0; i < qualities.size(); ++i) all[i]["quality"] = qualities[i].name;
+  return {{"qualities", std::move(all)}};
+}
+
 int plan(const SweepOptions& options, const GlobalOptions& global) {
   ProgressBar progress;
-  const LoadedSweep loaded = load(options, global, progress);
+  LoadedSweep loaded = load(options, global, progress);
   std::unique_ptr<Store> store;
   if (!global.out.empty() && has_store(global.out))
     store = std::make_unique<Store>(global.out, Database::Mode::read);
-  const std::vector<PlanStep> steps = plan_sweep(loaded.plan, loaded.scenes, store.get());
-  if (store) print_warnings(*store);
-  std::vector<IdleParameter> idle;
-  if (options.screen) idle = screen_parameters(loaded.plan, loaded.scenes, steps, *loaded.realtime, progress);
-  if (global.json) {
-    nlohmann::ordered_json json = plan_json(loaded.plan, loaded.scenes, steps);
-    if (options.screen) json["idle_parameters"] = idle_json(idle, loaded.scenes);
-    print_json(json);
-  } else {
-    print_answer(plan_text(loaded.plan, loaded.scenes, steps) +
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const Quality& quality : loaded.qualities) {
+    loaded.plan.picture = quality.picture;
+    const std::vector<PlanStep> steps = plan_sweep(loaded.plan, loaded.scenes, store.get());
+    if (store) print_warnings(*store);
+    std::vector<IdleParameter> idle;
+    if (options.screen)
+      idle = screen_parameters(loaded.plan, loaded.scenes, steps, *loaded.realtime, progress);
+    if (global.json) {
+      all.push_back(plan_json(loaded.plan, loaded.scenes, steps));
+      if (options.screen) all.back()["idle_parameters"] = idle_json(idle, loaded.scenes);
+      continue;
+    }
+    print_answer((loaded.qualities.size() > 1 ? quality_heading(quality) : "") +
+                 plan_text(loaded.plan, loaded.scenes, steps) +
                  (options.screen ? idle_text(idle, loaded.scenes) : ""));
   }
+  if (global.json) print_json(of_qualities(loaded.qualities, std::move(all)));
   return kExitFine;
 }
 
 int sweep(const SweepOptions& options, const GlobalOptions& global) {
   if (global.out.empty()) fail_input("a sweep needs a folder to keep its results in", {}, "give --out DIR");
   ProgressBar progress;
-  const LoadedSweep loaded = load(options, global, progress);
-  const auto reference = open_reference_renderer(global, loaded.plan.picture);
+  LoadedSweep loaded = load(options, global, progress);
   Store store(global.out, Database::Mode::write);
   const Staging scratch(std::filesystem::temp_directory_path());
   set_interruption_note("interrupted; what was done is stored, the same command goes on from there");
-  const std::vector<PlanStep> steps = plan_sweep(loaded.plan, loaded.scenes, &store);
-  print_warnings(store);
   int code = kExitFine;
-  const SweepOutcome outcome = run_sweep(loaded.plan, loaded.scenes, steps, {*reference, *loaded.realtime},
-                                         store, scratch.folder(), progress, [&](const Failure& failure) {
-                                           progress.clear();
-                                           print_error(failure.message);
-                                           code = std::max(code, exit_code(failure.kind));
-                                         });
-  print_warnings(store);
-  if (global.json) {
-    print_json(outcome_json(outcome));
-  } else {
-    print_answer(outcome_text(outcome));
+  const auto failed = [&](const Failure& failure) {
+    progress.clear();
+    print_error(failure.message);
+    code = std::max(code, exit_code(failure.kind));
+  };
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const Quality& quality : loaded.qualities) {
+    loaded.plan.picture = quality.picture;
+    const auto reference = open_reference_renderer(global, quality.picture);
+    const std::vector<PlanStep> steps = plan_sweep(loaded.plan, loaded.scenes, &store);
+    print_warnings(store);
+    const SweepOutcome outcome = run_sweep(loaded.plan, loaded.scenes, steps, {*reference, *loaded.realtime},
+                                           store, scratch.folder(), progress, failed);
+    print_warnings(store);
+    if (global.json) {
+      all.push_back(outcome_json(outcome));
+    } else {
+      print_answer((loaded.qualities.size() > 1 ? quality_heading(quality) : "") + outcome_text(outcome));
+    }
   }
+  if (global.json) print_json(of_qualities(loaded.qualities, std::move(all)));
   return code;
 }
 

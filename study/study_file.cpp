@@ -135,8 +135,27 @@ void read_scenes(TomlReader& reader, StudyFile& study) {
   }
 }
 
+/// One or a list.
+std::vector<std::string> read_qualities(TomlReader& reader, const std::vector<std::string>& fallback) {
+  const TomlNode* node = reader.find("quality");
+  if (node == nullptr) return fallback;
+  if (node->type == TomlNode::Type::text) return {node->text};
+  const std::vector<std::string> qualities = reader.texts("quality");
+  if (qualities.empty()) reader.fail("quality", "'quality' is an empty list");
+  for (auto quality = qualities.begin(); quality != qualities.end(); ++quality) {
+    if (std::find(qualities.begin(), quality, *quality) != quality)
+      reader.fail("quality", fmt::format("quality '{}' is given twice", *quality));
+  }
+  if (qualities.size() == 1) return qualities;
+  for (const char* own : {"width_px", "height_px", "samples_per_pixel", "target_se"}) {
+    if (reader.has(own))
+      reader.fail(own, fmt::format("'{}' goes with one quality, not with {}", own, qualities.size()));
+  }
+  return qualities;
+}
+
 void read_effort(TomlReader& reader, StudyFile& study) {
-  study.quality = reader.text("quality", study.quality);
+  study.qualities = read_qualities(reader, study.qualities);
   study.width_px = positive(reader, "width_px");
   study.height_px = positive(reader, "height_px");
   study.samples_per_pixel = positive(reader, "samples_per_pixel");

@@ -53,9 +53,9 @@ std::optional<PaperRatio> paper_ratio(const Claim& claim, const std::string& sce
 struct StudyFile {
   std::string title;
   std::string doc;
-  std::vector<std::string> scenes;   // as written: library names or paths
-  std::vector<StudyCamera> cameras;  // every scene is seen from each; none: from its own
-  std::string quality = "quick";
+  std::vector<std::string> scenes;              // as written: library names or paths
+  std::vector<StudyCamera> cameras;             // every scene is seen from each; none: from its own
+  std::vector<std::string> qualities{"quick"};  // each a study of its own; the next four go with one
   std::optional<int64_t> width_px, height_px, samples_per_pixel;
   std::optional<double> target_se;
   std::vector<uint64_t> seeds{1};

@@ -195,6 +195,31 @@ TEST_F(GlSweepCommand, PlanNamesReasonsAndTouchesNothing) {
   EXPECT_FALSE(std::filesystem::exists(folder() / "nowhere"));
 }
 
+TEST_F(GlSweepCommand, EachQualityIsSweptIntoOneStore) {
+  write_scene("scene.toml");
+  write("study.toml",
+        "schema = 1\ntitle = \"Two sizes\"\nscenes = [\"scene.toml\"]\nquality = [\"quick\", \"standard\"]\n"
+        "[[run]]\ntechnique = \"hard\"\n[run.values]\nmap_size = [64, 128]\n");
+  const Json planned = json({"plan", "study.toml", "--out", "a"});
+  ASSERT_EQ(planned["qualities"].size(), 2u);
+  EXPECT_EQ(planned["qualities"][0]["quality"], "quick");
+  EXPECT_EQ(planned["qualities"][1]["render"], 2);
+  const Json swept = json({"sweep", "study.toml", "--out", "a"});
+  EXPECT_EQ(swept["qualities"][1]["quality"], "standard");
+  EXPECT_EQ(swept["qualities"][1]["references_rendered"], 1);
+  std::vector<int> widths;
+  const Json stored = json({"export", "a"});
+  for (const Json& run : stored["runs"]) widths.push_back(run["width_px"]);
+  EXPECT_THAT(widths, testing::UnorderedElementsAre(480, 480, 960, 960));
+  const Json again = json({"sweep", "study.toml", "--out", "a"});
+  for (const Json& quality : again["qualities"]) EXPECT_EQ(quality["reused"], 2);
+  expect_bad_input(umbrameter({"sweep", "study.toml", "--out", "a", "--width", "64"}), "2 qualities");
+  expect_bad_input(umbrameter({"bench", "study.toml", "--csv", "runs.csv"}), "one study of one quality");
+  const Json bench = json({"bench", "study.toml", "--frames", "2"});
+  ASSERT_EQ(bench["studies"].size(), 2u);
+  EXPECT_EQ(bench["studies"][1]["width_px"], 960);
+}
+
 TEST_F(SweepCommand, SlipsAreFoundFirst) {
   write_study();
   expect_bad_input(umbrameter({"sweep", "study.toml"}), "--out DIR");

@@ -85,10 +85,28 @@ TEST(StudyFileTest, SlipsInCamerasAreNamedAtTheirPlace) {
   EXPECT_THAT(slip("name = \"a\"\n[[camera]]\nname = \"a\"\n"), HasSubstr("two cameras are called 'a'"));
 }
 
+TEST(StudyFileTest, SeveralQualitiesHaveNoSizeOfTheirOwn) {
+  EXPECT_THAT(parse("quality = [\"quick\", \"full\"]\n" + std::string(kRuns)).qualities,
+              ElementsAre("quick", "full"));
+  const auto slip = [](const std::string& keys) -> std::string {
+    try {
+      parse(keys + kRuns);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "no error";
+  };
+  EXPECT_THAT(slip("quality = []\n"), HasSubstr("study.toml:4"));
+  EXPECT_THAT(slip("quality = [\"full\", \"full\"]\n"), HasSubstr("'full' is given twice"));
+  EXPECT_THAT(slip("quality = 3\n"), HasSubstr("quality"));
+  EXPECT_THAT(slip("quality = [\"quick\", \"full\"]\ntarget_se = 0.1\n"),
+              HasSubstr("'target_se' goes with one quality"));
+}
+
 TEST(StudyFileTest, DefaultsAndNumbers) {
   const StudyFile study = parse(kRuns);
   EXPECT_THAT(study.scenes, ElementsAre("plate", "assets/bunny"));
-  EXPECT_EQ(study.quality, "quick");
+  EXPECT_EQ(study.qualities, std::vector<std::string>{"quick"});
   EXPECT_EQ(study.frames, 30);
   EXPECT_THAT(study.seeds, ElementsAre(1u));
   const StudyFile other = parse(
@@ -96,7 +114,7 @@ TEST(StudyFileTest, DefaultsAndNumbers) {
       "[3, 4]\n"
       "frames = 9\nframe_budget_s = 0.5\ndoc = \"d\"\n" +
       std::string(kRuns));
-  EXPECT_EQ(other.quality, "full");
+  EXPECT_THAT(other.qualities, ElementsAre("full"));
   EXPECT_EQ(other.width_px, 64);
   EXPECT_EQ(other.samples_per_pixel, 32);
   EXPECT_EQ(other.target_se, 0.01);
