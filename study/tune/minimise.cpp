@@ -31,18 +31,22 @@ std::vector<double> coarse_positions(const Parameter& axis) {
 }
 
 /// Tries the coarse levels of an axis from the best trial; the spread of what is finite over the best.
-double screen(Trials& trials, size_t axis) {
+void screen(Trials& trials, size_t axis, AxisEffect& effect) {
   const Trial start = trials.best();
   double low = start.objective, high = start.objective;
+  std::set<ParameterValue> measured;
   for (const double position : coarse_positions(trials.space()[axis])) {
     Point point = start.point;
     point[axis] = position;
     const double objective = trials.at(point);
     if (!std::isfinite(objective)) continue;
+    measured.insert(value_at(trials.space()[axis], position));
     low = std::min(low, objective);
     high = std::max(high, objective);
   }
-  return (high - low) / std::max(std::abs(trials.best().objective), 1e-12);
+  const double spread = (high - low) / std::max(std::abs(trials.best().objective), 1e-12);
+  effect.relative_spread = std::max(effect.relative_spread, spread);
+  effect.values = std::max(effect.values, measured.size());
 }
 
 /// Numbers that matter, the strongest first.
@@ -79,7 +83,7 @@ void search_choices(Trials& trials, const std::vector<size_t>& numbers) {
 class Search {
  public:
   explicit Search(Trials& trials) : trials_(trials) {
-    for (const Parameter& axis : trials.space()) effects_.push_back({axis.name, 0.0});
+    for (const Parameter& axis : trials.space()) effects_.push_back({axis.name, 0.0, 0});
   }
 
   void know(std::span<const AxisEffect> effects) {
@@ -88,8 +92,7 @@ class Search {
   }
 
   void screen_all() {
-    for (size_t i = 0; i < effects_.size(); ++i)
-      effects_[i].relative_spread = std::max(effects_[i].relative_spread, screen(trials_, i));
+    for (size_t i = 0; i < effects_.size(); ++i) screen(trials_, i, effects_[i]);
     numbers_ = strongest(trials_.space(), effects_);
   }
 

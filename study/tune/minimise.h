@@ -13,6 +13,7 @@ namespace umbrameter {
 struct AxisEffect {
   std::string parameter;
   double relative_spread = 0.0;
+  size_t values = 0;  // coarse levels that were measured; 0: the budget ended before
 };
 
 struct SearchResult {

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 
 namespace umbrameter {
 namespace {
@@ -174,12 +173,10 @@ class Tuning {
   /// Parameters whose levels were tried and made no difference.
   void name_idle(const SearchResult& found) {
     for (const AxisEffect& effect : found.effects) {
-      std::set<ParameterValue> tried;
-      for (const Trial& trial : found.trials) tried.insert(trial.values.at(effect.parameter));
-      if (tried.size() < 2 || effect.relative_spread >= kWorthChanging) continue;
+      if (effect.values < 2 || effect.relative_spread >= kWorthChanging) continue;
       result_.notes.push_back(
           fmt::format("'{}' need not be tuned here: {} values change the objective by {:.2g} % at most",
-                      effect.parameter, tried.size(), 100.0 * effect.relative_spread));
+                      effect.parameter, effect.values, 100.0 * effect.relative_spread));
     }
   }
 

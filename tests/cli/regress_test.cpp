@@ -147,5 +147,33 @@ TEST_F(Regress, ABadSuiteIsBadInput) {
   expect_bad_input(regress("record"), "rachet");
 }
 
+TEST_F(Regress, EachCameraHasACaseOfItsOwn) {
+  const auto cameras = [](const std::string& angle_deg) {
+    return "[[camera]]\nname = \"own\"\n[[camera]]\nname = \"side\"\norbit_deg = " + angle_deg + "\n";
+  };
+  write_scene("scene.toml");
+  write_suite("search_taps = 16", cameras("20"));
+  ASSERT_EQ(regress("record").exit_code, 0);
+  const ProcessResult same = regress("check", {"--json"});
+  EXPECT_EQ(same.exit_code, 0) << same.err;
+  const Json before = Json::parse(same.out);
+  ASSERT_EQ(before["cases"].size(), 2u);
+  EXPECT_EQ(before["cases"][0]["scene"], "scene.toml, own");
+  EXPECT_EQ(before["cases"][1]["scene"], "scene.toml, side");
+  write_suite("search_taps = 16", cameras("25"));
+  const ProcessResult moved = regress("check", {"--json"});
+  EXPECT_EQ(moved.exit_code, 1) << moved.err;
+  for (const Json& one : Json::parse(moved.out)["cases"])
+    EXPECT_EQ(one["outcome"] == "fail", one["scene"] == "scene.toml, side") << one;
+}
+
+TEST_F(Regress, TakesOneQuality) {
+  write_scene("scene.toml");
+  write("suite.toml",
+        "schema = 1\ntitle = \"t\"\nscenes = [\"scene.toml\"]\nquality = [\"quick\", \"full\"]\n"
+        "[[run]]\ntechnique = \"hard\"\n");
+  expect_bad_input(regress("record"), "one quality, not 2");
+}
+
 }  // namespace
 }  // namespace umbrameter

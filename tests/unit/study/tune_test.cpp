@@ -257,6 +257,25 @@ TEST_F(Tune, AHurriedOneStillComparesAndSaysWhatIsMissing) {
   EXPECT_THAT(hurried.notes, testing::ElementsAre(HasSubstr("windows"), HasSubstr("engine (own cost)")));
 }
 
+TEST_F(Tune, OnlyWhatWasTriedIsSaidToMakeNoDifference) {
+  Parameter idle;
+  idle.name = "slope";
+  idle.default_value = 0.0;
+  idle.max = 1.0;
+  plan.parameters.push_back(idle);
+  plan.technique.parameters = default_values(plan.parameters);
+  plan.presets = {{"engine", {{"bias_texels", 1.5}, {"slope", 0.5}}}};
+  const auto is_named = [&] {
+    return std::ranges::any_of(run().notes, [](const std::string& note) {
+      return note.find("'slope' need not be tuned here: 5 values") != std::string::npos;
+    });
+  };
+  EXPECT_TRUE(is_named());
+  plan.evaluations =
+      6;  // two values of it were rendered, of the default and the preset, which differ in the bias, too
+  for (const std::string& note : run().notes) EXPECT_THAT(note, testing::Not(HasSubstr("slope")));
+}
+
 TEST_F(Tune, KeepsToThePresetThatIsAsGood) {
   plan.presets = {{"best", {{"bias_texels", kBestBias}}}};
   EXPECT_EQ(bias_of(run().best.values), kBestBias);
