@@ -2,7 +2,8 @@
 # bench_tune.sh [FOLDER]: measures the tuner and writes the tables of docs/tuning.md. Per scene and technique:
 #   grid     two or three parameters, at most 5 % of a dense grid's evaluations, against that grid, on one camera
 #   presets  every parameter that does not count work, against the defaults and presets, and on held-out cameras
-# What lies in FOLDER already is not measured again. Needs a build (scripts/build.sh ci), or one that UMBRAMETER names. Half an hour on two cores of a
+# What lies in FOLDER already is not measured again. Needs a build (scripts/build.sh ci), or one that UMBRAMETER names. Three
+# quarters of an hour on two cores of a
 # software rasteriser.
 set -euo pipefail
 cd "$(dirname "$0")/.."
