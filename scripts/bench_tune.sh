@@ -3,8 +3,7 @@
 #   grid     two or three parameters, at most 5 % of a dense grid's evaluations, against that grid, on one camera
 #   presets  every parameter that does not count work, against the defaults and presets, and on held-out cameras
 # What lies in FOLDER already is not measured again. Needs a build (scripts/build.sh ci), or one that UMBRAMETER names. Three
-# quarters of an hour on two cores of a
-# software rasteriser.
+# quarters of an hour on two cores with a software rasteriser.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 program=${UMBRAMETER:-build/ci/cli/umbrameter}
