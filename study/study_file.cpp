@@ -25,6 +25,15 @@ std::optional<int64_t> positive(TomlReader& reader, const std::string& key) {
   return value;
 }
 
+/// Each of the list `key` once, or an error that calls it a `what`.
+void require_different(const TomlReader& reader, const std::string& key, const std::string& what,
+                       const std::vector<std::string>& texts) {
+  for (auto text = texts.begin(); text != texts.end(); ++text) {
+    if (std::find(texts.begin(), text, *text) != text)
+      reader.fail(key, fmt::format("{} '{}' is given twice", what, *text));
+  }
+}
+
 std::vector<uint64_t> read_seeds(TomlReader& reader) {
   const TomlNode* node = reader.find("seeds");
   if (node == nullptr) return {1};
@@ -128,11 +137,7 @@ void require_unique(const std::vector<StudyRun>& runs) {
 void read_scenes(TomlReader& reader, StudyFile& study) {
   study.scenes = reader.texts("scenes");
   if (study.scenes.empty()) reader.fail("scenes", "the study has no scenes");
-  for (size_t i = 0; i < study.scenes.size(); ++i) {
-    const auto end = study.scenes.begin() + static_cast<std::ptrdiff_t>(i);
-    if (std::find(study.scenes.begin(), end, study.scenes[i]) == end) continue;
-    reader.fail("scenes", fmt::format("scene '{}' is given twice", study.scenes[i]));
-  }
+  require_different(reader, "scenes", "scene", study.scenes);
 }
 
 /// One or a list.
@@ -142,10 +147,7 @@ std::vector<std::string> read_qualities(TomlReader& reader, const std::vector<st
   if (node->type == TomlNode::Type::text) return {node->text};
   const std::vector<std::string> qualities = reader.texts("quality");
   if (qualities.empty()) reader.fail("quality", "'quality' is an empty list");
-  for (auto quality = qualities.begin(); quality != qualities.end(); ++quality) {
-    if (std::find(qualities.begin(), quality, *quality) != quality)
-      reader.fail("quality", fmt::format("quality '{}' is given twice", *quality));
-  }
+  require_different(reader, "quality", "quality", qualities);
   if (qualities.size() == 1) return qualities;
   for (const char* own : {"width_px", "height_px", "samples_per_pixel", "target_se"}) {
     if (reader.has(own))

@@ -76,17 +76,16 @@ std::filesystem::path vertex_file(const PassDeclaration& pass, const RunInputs& 
   return find_shader(pass.vertex, inputs.technique.folder, inputs.shaders_folder, pass.where);
 }
 
-std::shared_ptr<const Program> compile(const PassDeclaration& pass, const RunInputs& inputs,
-                                       const Targets& targets, std::span<const std::string> loop_variables,
-                                       ProgramCache& programs) {
+std::shared_ptr<const Program> compile(const PassDeclaration& pass, const std::filesystem::path& vertex,
+                                       const RunInputs& inputs, const Targets& targets,
+                                       std::span<const std::string> loop_variables, ProgramCache& programs) {
   PreludeInputs prelude{
       inputs.technique, inputs.values, pass, {loop_variables.begin(), loop_variables.end()}, {}};
   prelude.format_of = [&targets](const std::string& name) {
     const Target* target = targets.find(name);
     return target == nullptr ? nullptr : &target->texture->format();
   };
-  std::vector<ShaderFile> stages = {
-      {ShaderStage::vertex, vertex_file(pass, inputs), vertex_prelude(prelude)}};
+  std::vector<ShaderFile> stages = {{ShaderStage::vertex, vertex, vertex_prelude(prelude)}};
   if (!pass.fragment.empty()) {
     const auto fragment =
         find_shader(pass.fragment, inputs.technique.folder, inputs.shaders_folder, pass.where);
@@ -116,9 +115,10 @@ PreparedPass prepare_pass(const PassDeclaration& pass, int write_level, const Ru
                                  read_texture_of(prepared, pass, pass.reads[unit], *target),
                                  &target->sampler});
   }
-  prepared.program = compile(pass, inputs, targets, loop_variables, programs);
+  const std::filesystem::path vertex = vertex_file(pass, inputs);
+  prepared.program = compile(pass, vertex, inputs, targets, loop_variables, programs);
   prepared.may_cull_casters = pass.kind == "scene" && !prepared.program->names_primitive_id() &&
-                              vertex_file(pass, inputs).parent_path() == inputs.shaders_folder / "lib";
+                              vertex.parent_path() == inputs.shaders_folder / "lib";
   return prepared;
 }
 

@@ -40,23 +40,13 @@ class Settling {
   Judge* checked_;
 };
 
-std::vector<ParameterValues> finalists_of(const SearchResult& found) {
-  std::vector<const Trial*> order;
-  for (const Trial& trial : found.trials) order.push_back(&trial);
-  std::ranges::stable_sort(order, {}, &Trial::objective);
-  order.resize(std::min(order.size(), kFinalists));
-  std::vector<ParameterValues> finalists;
-  for (const Trial* trial : order) finalists.push_back(trial->values);
-  return finalists;
-}
-
 }  // namespace
 
 ParameterValues settle(const SearchSpace& space, const SearchResult& found,
                        std::span<const ParameterValues> by_hand, Judge& searched, Judge* checked) {
   Settling settling(searched, checked);
   const ParameterValues plain = settling.best_of(by_hand);
-  const std::vector<ParameterValues> finalists = finalists_of(found);
+  const std::vector<ParameterValues> finalists = best_values(found.trials, kFinalists);
   const ParameterValues best = settling.best_of(finalists);
   if (!settling.is_worth(best, plain)) return plain;
   std::vector<size_t> weakest_first(space.size());

@@ -56,4 +56,7 @@ class Trials {
 /// Equal for equal values.
 std::string key_of(const ParameterValues& values);
 
+/// Values of the `count` trials of least objective, or of all; of equal ones the first tried.
+std::vector<ParameterValues> best_values(const std::vector<Trial>& trials, size_t count);
+
 }  // namespace umbrameter

@@ -8,7 +8,6 @@
 #include "study/tune/settle.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 namespace umbrameter {
@@ -20,17 +19,6 @@ constexpr size_t kKept = 5;           // coarse trials that are tried at full si
 
 size_t default_evaluations(size_t axes) {
   return 40 + 20 * axes;
-}
-
-/// The best trials' values, and the first start, which is known to work.
-std::vector<ParameterValues> best_of(const std::vector<Trial>& trials) {
-  std::vector<const Trial*> order;
-  for (const Trial& trial : trials) order.push_back(&trial);
-  std::ranges::stable_sort(order, {}, [](const Trial* trial) { return trial->objective; });
-  std::vector<ParameterValues> values;
-  for (size_t i = 0; i < std::min(kKept, order.size()); ++i) values.push_back(order[i]->values);
-  values.push_back(trials.front().values);
-  return values;
 }
 
 class Tuning {
@@ -111,7 +99,9 @@ class Tuning {
                                         {coarse_count, time_is_up_after(kCoarseShare * share)});
     result_.coarse_trials = first.trials;
     result_.coarse_evaluations = coarse.evaluations();
-    return minimise(space_, best_of(first.trials), base(), counted(judge),
+    std::vector<ParameterValues> kept = best_values(first.trials, kKept);
+    kept.push_back(first.trials.front().values);  // the first start, which is known to work
+    return minimise(space_, kept, base(), counted(judge),
                     {count - std::min(count, first.trials.size()), time_is_up_after(share)}, first.effects);
   }
 

@@ -1,6 +1,5 @@
 // Leaving out triangles that cannot reach a map must change no pixel of any technique, and must be said.
 
-#include "realtime/manifest/technique.h"
 #include "realtime/realtime.h"
 #include "tests/gpu/technique_fixture.h"
 #include "tests/support/procedural_scene.h"
@@ -56,25 +55,16 @@ bool says_so(const Frame& frame) {
       frame.left_out, [](const std::string& text) { return text.find("outside them") != std::string::npos; });
 }
 
-ParameterValues quick(const Technique& technique) {
-  ParameterValues values;
-  for (const Parameter& parameter : technique.parameters) {
-    if (parameter.name == "map_size") values["map_size"] = int64_t{256};
-    if (parameter.name == "light_samples") values["light_samples"] = int64_t{16};
-  }
-  return values;
-}
-
 TEST(CasterCulling, ChangesNoPixelOfAnyTechnique) {
   UMBRAMETER_REQUIRE_GL();
   const auto all = renderer_of(kRealtime / "techniques", false);
   size_t with_saving = 0;
   for (const LightType type : {LightType::rect, LightType::disk, LightType::sphere, LightType::sun}) {
     const Scene scene = wide_scene(light_at_4(type, 0.5));
-    for (const Technique& technique : list_techniques(kRealtime / "techniques")) {
+    for (const Technique& technique : techniques()) {
       if (!technique.supports(type)) continue;
-      const Frame culled = render(scene, technique.id, quick(technique));
-      const Frame whole = render_with(*all, scene, technique.id, quick(technique));
+      const Frame culled = render(scene, technique.id, quick(technique, 256));
+      const Frame whole = render_with(*all, scene, technique.id, quick(technique, 256));
       EXPECT_EQ(plane(culled), plane(whole)) << technique.id << " " << to_text(type);
       EXPECT_FALSE(says_so(whole)) << technique.id;
       with_saving += says_so(culled) ? 1 : 0;

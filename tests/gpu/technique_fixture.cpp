@@ -59,6 +59,19 @@ void look(Scene& scene, const glm::dvec3& eye, const glm::dvec3& at) {
 
 }  // namespace
 
+std::vector<Technique> techniques() {
+  return list_techniques(std::filesystem::path(UMBRAMETER_SOURCE_DIR) / "realtime" / "techniques");
+}
+
+ParameterValues quick(const Technique& technique, int64_t map_size, int64_t light_samples) {
+  ParameterValues values;
+  for (const Parameter& parameter : technique.parameters) {
+    if (parameter.name == "map_size") values["map_size"] = map_size;
+    if (parameter.name == "light_samples") values["light_samples"] = light_samples;
+  }
+  return values;
+}
+
 std::string gl_problem() {
   return shared_renderer().problem;
 }

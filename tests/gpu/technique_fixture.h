@@ -2,6 +2,7 @@
 // Scenes with closed-form visibility, and one GL renderer for all technique tests of a process.
 
 #include "core/renderer.h"
+#include "realtime/manifest/technique.h"
 #include "scenes/scene.h"
 
 #include <functional>
@@ -16,6 +17,12 @@ namespace umbrameter::test {
 
 /// Why no renderer can be made here; empty when one can.
 std::string gl_problem();
+
+/// Every built-in technique.
+std::vector<Technique> techniques();
+
+/// Cheap enough for llvmpipe: small maps, and few where a technique renders many.
+ParameterValues quick(const Technique& technique, int64_t map_size = 512, int64_t light_samples = 16);
 
 /// 160 x 90 unless told; seed 1.
 Frame render(const Scene& scene, const std::string& technique, const ParameterValues& parameters = {},

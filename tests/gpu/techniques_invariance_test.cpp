@@ -25,20 +25,8 @@ using namespace test;
 
 const std::filesystem::path kRealtime = std::filesystem::path(UMBRAMETER_SOURCE_DIR) / "realtime";
 
-std::vector<Technique> techniques() {
-  return list_techniques(kRealtime / "techniques");
-}
-
 bool has_parameter(const Technique& technique, const std::string& name) {
   return std::ranges::any_of(technique.parameters, [&](const Parameter& p) { return p.name == name; });
-}
-
-/// Cheap enough for llvmpipe.
-ParameterValues quick(const Technique& technique, int64_t map_size = 512) {
-  ParameterValues values;
-  if (has_parameter(technique, "map_size")) values["map_size"] = map_size;
-  if (has_parameter(technique, "light_samples")) values["light_samples"] = int64_t{16};
-  return values;
 }
 
 Light light_for(const Technique& technique) {

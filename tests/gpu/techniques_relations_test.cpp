@@ -18,19 +18,7 @@ namespace {
 
 using namespace test;
 
-std::vector<Technique> techniques() {
-  return list_techniques(std::filesystem::path(UMBRAMETER_SOURCE_DIR) / "realtime/techniques");
-}
-
-/// Cheap enough for llvmpipe: few maps where a technique renders many.
-ParameterValues quick(const Technique& technique) {
-  ParameterValues values;
-  for (const Parameter& parameter : technique.parameters) {
-    if (parameter.name == "map_size") values["map_size"] = int64_t{512};
-    if (parameter.name == "light_samples") values["light_samples"] = int64_t{8};
-  }
-  return values;
-}
+constexpr int64_t kMapSize = 512, kLightSamples = 8;
 
 /// Values other than the default that should show.
 std::vector<ParameterValue> alternatives(const Parameter& parameter) {
@@ -82,7 +70,7 @@ bool acts_on(const Scene& scene, const Technique& technique, const Parameter& pa
 /// The quick defaults, the same without the bias that alone is enough, with every choice and switch turned in its place,
 /// and the presets: some parameters only act beside others.
 std::vector<ParameterValues> starting_points(const Technique& technique) {
-  const ParameterValues base = quick(technique);
+  const ParameterValues base = quick(technique, kMapSize, kLightSamples);
   std::vector<ParameterValues> points{base};
   const auto has = [&](const char* name) {
     return std::ranges::find(technique.parameters, name, &Parameter::name) != technique.parameters.end();
@@ -145,7 +133,8 @@ TEST(every_technique, visibility_is_finite_and_between_0_and_1_for_every_light) 
   for (const Technique& technique : techniques()) {
     for (const Light& light : lights) {
       if (!technique.supports(light.type)) continue;
-      for (const float v : visibility(busy_scene(light), technique.id, quick(technique))) {
+      for (const float v :
+           visibility(busy_scene(light), technique.id, quick(technique, kMapSize, kLightSamples))) {
         ASSERT_TRUE(v >= 0.0f && v <= 1.0f) << technique.id << " " << to_text(light.type) << " " << v;
       }
     }
@@ -156,8 +145,9 @@ TEST(every_technique, is_deterministic_for_a_seed) {
   UMBRAMETER_REQUIRE_GL();
   const Scene scene = busy_scene(disk_light_above({0.5, 4, 0.3}, 0.5));
   for (const Technique& technique : techniques()) {
-    const auto first = visibility(scene, technique.id, quick(technique), 7);
-    EXPECT_EQ(first, visibility(scene, technique.id, quick(technique), 7)) << technique.id;
+    const auto first = visibility(scene, technique.id, quick(technique, kMapSize, kLightSamples), 7);
+    EXPECT_EQ(first, visibility(scene, technique.id, quick(technique, kMapSize, kLightSamples), 7))
+        << technique.id;
   }
 }
 
@@ -174,7 +164,7 @@ TEST(every_technique, background_is_lit_and_surfaces_turned_away_are_dark) {
   scene.lights = {light};
   finish_scene(scene);
   for (const Technique& technique : techniques()) {
-    const Frame frame = render(scene, technique.id, quick(technique));
+    const Frame frame = render(scene, technique.id, quick(technique, kMapSize, kLightSamples));
     const auto v = frame.image.plane("visibility");
     const auto id = frame.image.plane("primitive_id");
     for (size_t i = 0; i < v.size(); ++i)
@@ -198,7 +188,7 @@ TEST(every_technique, a_plane_does_not_shadow_itself_at_any_slope) {
       scene.camera.at_world = {0, 0, 0};
       finish_scene(scene);
       for (const Technique& technique : techniques()) {
-        for (const float v : visibility(scene, technique.id, quick(technique))) {
+        for (const float v : visibility(scene, technique.id, quick(technique, kMapSize, kLightSamples))) {
           ASSERT_EQ(v, 1.0f) << technique.id << " at " << angle_deg << " deg, " << to_text(type);
         }
       }
@@ -220,8 +210,11 @@ TEST(every_technique, answer_does_not_depend_on_the_unit_of_length) {
   for (const LightType type : {LightType::rect, LightType::sun}) {
     const Scene scene = busy_scene(light_at_4(type, 0.5));
     for (const Technique& technique : techniques()) {
-      const auto scaled = visibility(scaled_scene(scene, 64.0), technique.id, quick(technique));
-      EXPECT_LT(differing_share(visibility(scene, technique.id, quick(technique)), scaled), 1e-3)
+      const auto scaled =
+          visibility(scaled_scene(scene, 64.0), technique.id, quick(technique, kMapSize, kLightSamples));
+      EXPECT_LT(
+          differing_share(visibility(scene, technique.id, quick(technique, kMapSize, kLightSamples)), scaled),
+          1e-3)
           << technique.id << " " << to_text(type);
     }
   }
@@ -235,9 +228,12 @@ TEST(every_technique, answer_moves_with_the_scene) {
   for (const LightType type : {LightType::rect, LightType::sun}) {
     const Scene scene = busy_scene(light_at_4(type, 0.5));
     for (const Technique& technique : techniques()) {
-      const auto moved = visibility(moved_scene(scene, motion), technique.id, quick(technique));
+      const auto moved =
+          visibility(moved_scene(scene, motion), technique.id, quick(technique, kMapSize, kLightSamples));
       // Shadow outlines may fall to the other side of a texel: a few per cent of the picture are outline.
-      EXPECT_LT(differing_share(visibility(scene, technique.id, quick(technique)), moved), 0.02)
+      EXPECT_LT(
+          differing_share(visibility(scene, technique.id, quick(technique, kMapSize, kLightSamples)), moved),
+          0.02)
           << technique.id << " " << to_text(type);
     }
   }
@@ -304,7 +300,7 @@ TEST(every_technique, pixels_outside_the_map_are_lit) {
   finish_scene(scene);
   for (const Technique& technique : techniques()) {
     if (!technique.supports(LightType::sphere)) continue;
-    const auto v = visibility(scene, technique.id, quick(technique));
+    const auto v = visibility(scene, technique.id, quick(technique, kMapSize, kLightSamples));
     EXPECT_EQ(*std::ranges::min_element(v), 1.0f) << technique.id;
   }
 }

@@ -25,6 +25,15 @@ StudyFile parse(const std::string& body) {
   return parse_study(kHead + body, "study.toml");
 }
 
+std::string error_of(const std::string& body) {
+  try {
+    parse(body);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
 std::vector<std::string> labels(const StudyFile& study) {
   std::vector<std::string> texts;
   for (const StudyRun& run : study.runs) texts.push_back(run.label);
@@ -67,14 +76,7 @@ TEST(StudyFileTest, CamerasTurnOrReplaceTheScenesOwn) {
 }
 
 TEST(StudyFileTest, SlipsInCamerasAreNamedAtTheirPlace) {
-  const auto slip = [](const std::string& camera) -> std::string {
-    try {
-      parse("[[camera]]\n" + camera + kRuns);
-    } catch (const Error& error) {
-      return error.what();
-    }
-    return "none";
-  };
+  const auto slip = [](const std::string& camera) { return error_of("[[camera]]\n" + camera + kRuns); };
   EXPECT_THAT(slip("orbit_deg = 1\n"), HasSubstr("study.toml:4"));
   EXPECT_THAT(slip("name = \"\"\n"), HasSubstr("name is empty"));
   EXPECT_THAT(slip("name = \"a\"\norbit_dg = 3\n"), HasSubstr("did you mean 'orbit_deg'?"));
@@ -88,14 +90,7 @@ TEST(StudyFileTest, SlipsInCamerasAreNamedAtTheirPlace) {
 TEST(StudyFileTest, SeveralQualitiesHaveNoSizeOfTheirOwn) {
   EXPECT_THAT(parse("quality = [\"quick\", \"full\"]\n" + std::string(kRuns)).qualities,
               ElementsAre("quick", "full"));
-  const auto slip = [](const std::string& keys) -> std::string {
-    try {
-      parse(keys + kRuns);
-    } catch (const Error& error) {
-      return error.what();
-    }
-    return "no error";
-  };
+  const auto slip = [](const std::string& keys) { return error_of(keys + kRuns); };
   EXPECT_THAT(slip("quality = []\n"), HasSubstr("study.toml:4"));
   EXPECT_THAT(slip("quality = [\"full\", \"full\"]\n"), HasSubstr("'full' is given twice"));
   EXPECT_THAT(slip("quality = 3\n"), HasSubstr("quality"));
