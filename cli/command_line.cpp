@@ -4,7 +4,7 @@
 #include "cli/sweep_verbs.h"
 #include "cli/verbs.h"
 #include "core/names.h"
-#include "umbrameter_version.h"
+#include "core/version.h"
 
 #include <fmt/format.h>
 
@@ -42,7 +42,7 @@ std::optional<int> parse_command_line(int argc, const char* const* argv, CLI::Ap
   app.description("Umbrameter measures how wrong a real-time shadow is, why, and what it costs.");
   app.fallthrough();
   app.require_subcommand(1);
-  app.set_version_flag("--version", fmt::format("umbrameter {} ({})", UMBRAMETER_VERSION, UMBRAMETER_COMMIT));
+  app.set_version_flag("--version", fmt::format("umbrameter {} ({})", kVersion, kCommit));
   app.footer(
       "Exit codes: 0 fine, 1 a gate failed, 2 bad input or usage, 3 the environment lacks something, 4 our "
       "bug.");

@@ -1,9 +1,9 @@
 #include "cli/console.h"
 #include "cli/home.h"
 #include "core/error.h"
+#include "core/version.h"
 #include "realtime/realtime.h"
 #include "reference/reference.h"
-#include "umbrameter_version.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -72,9 +72,8 @@ int doctor(const GlobalOptions& global) {
   const auto missing = std::count_if(scenes.begin(), scenes.end(),
                                      [](const SceneEntry& entry) { return !entry.missing_assets.empty(); });
   const std::string assets = global.assets.empty() ? "none (--assets or UMBRAMETER_ASSETS)" : global.assets;
-  std::string text =
-      fmt::format("umbrameter     {} ({})\nEmbree         {}\nOpenImageIO    {}\n", UMBRAMETER_VERSION,
-                  UMBRAMETER_COMMIT, UMBRAMETER_EMBREE_VERSION, UMBRAMETER_OPENIMAGEIO_VERSION);
+  std::string text = fmt::format("umbrameter     {} ({})\nEmbree         {}\nOpenImageIO    {}\n", kVersion,
+                                 kCommit, UMBRAMETER_EMBREE_VERSION, UMBRAMETER_OPENIMAGEIO_VERSION);
   text += fmt::format("library        {}: {} scenes, {} of them without their assets\nassets         {}\n",
                       home.library.string(), scenes.size(), missing, assets);
   Json devices = Json::array();
@@ -89,8 +88,8 @@ int doctor(const GlobalOptions& global) {
                              trial.reference_device, trial.realtime_device, trial.timer));
     return kExitFine;
   }
-  print_json({{"version", UMBRAMETER_VERSION},
-              {"commit", UMBRAMETER_COMMIT},
+  print_json({{"version", kVersion},
+              {"commit", kCommit},
               {"embree", UMBRAMETER_EMBREE_VERSION},
               {"openimageio", UMBRAMETER_OPENIMAGEIO_VERSION},
               {"library", home.library.string()},

@@ -9,11 +9,11 @@
 #include "cli/study_runs.h"
 #include "core/error.h"
 #include "core/files.h"
+#include "core/version.h"
 #include "reference/reference.h"
 #include "report/report.h"
 #include "study/regress/output.h"
 #include "study/results_json.h"
-#include "umbrameter_version.h"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -75,7 +75,7 @@ RegressRenderers renderers_of(Renderer& realtime, int threads) {
 }
 
 BaselineReason reason_of(const std::string& text) {
-  return {fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr))), text, UMBRAMETER_VERSION, {}};
+  return {fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr))), text, kVersion, {}};
 }
 
 int report_voids(const RegressResults& measured) {

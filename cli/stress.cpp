@@ -6,11 +6,11 @@
 #include "cli/verbs.h"
 #include "core/error.h"
 #include "core/files.h"
+#include "core/version.h"
 #include "realtime/device_identity.h"
 #include "study/stress/axes.h"
 #include "study/stress/output.h"
 #include "study/stress/suite_file.h"
-#include "umbrameter_version.h"
 
 #include <fmt/format.h>
 
@@ -82,8 +82,8 @@ StressResults measure(const StressOptions& options, const StressPlan& plan, cons
                       const std::filesystem::path& folder) {
   StressResults results;
   results.plan = plan;
-  results.version = UMBRAMETER_VERSION;
-  results.commit = UMBRAMETER_COMMIT;
+  results.version = kVersion;
+  results.commit = kCommit;
   results.device = device_identity(*open_realtime_renderer(global, find_home()));
   results.rows = {std::string(kTruthRow)};
   for (const TechniqueRun& run : stress_techniques(plan)) results.rows.push_back(run.label);

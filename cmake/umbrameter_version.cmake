@@ -1,8 +1,9 @@
-# Puts version and commit into build/generated/umbrameter_version.h at configure time.
-execute_process(COMMAND git -C "${CMAKE_SOURCE_DIR}" rev-parse --short=12 HEAD
-                OUTPUT_VARIABLE UMBRAMETER_COMMIT OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
-if(NOT UMBRAMETER_COMMIT)
-  set(UMBRAMETER_COMMIT "unknown")
+# cmake -DSOURCE_DIR=... -DOUTPUT=... -DVERSION=... -P umbrameter_version.cmake: writes the constants of core/version.h.
+# Run by every build, so that a result never carries the commit of an earlier one.
+execute_process(COMMAND git -C "${SOURCE_DIR}" describe --always --dirty --abbrev=12 --exclude=*
+                OUTPUT_VARIABLE COMMIT OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+if(NOT COMMIT)
+  set(COMMIT "unknown")
 endif()
-configure_file("${CMAKE_SOURCE_DIR}/cmake/umbrameter_version.h.in"
-               "${CMAKE_BINARY_DIR}/generated/umbrameter_version.h" @ONLY)
+# Written only when it changes.
+configure_file("${CMAKE_CURRENT_LIST_DIR}/umbrameter_version.cpp.in" "${OUTPUT}" @ONLY)

@@ -1,10 +1,10 @@
 #include "study/bench.h"
 
+#include "core/version.h"
 #include "study/guard.h"
 #include "study/renamed_progress.h"
 #include "study/score.h"
 #include "study/study_camera.h"
-#include "umbrameter_version.h"
 
 #include <fmt/format.h>
 
@@ -152,8 +152,8 @@ bool is_software(const BenchResults& results) {
 BenchResults run_bench(std::span<const StudyScene> scenes, const BenchPlan& plan, Renderers renderers,
                        Progress& progress, const BenchSceneDone& scene_done, const TruthPlan& truth) {
   BenchResults results;
-  results.version = UMBRAMETER_VERSION;
-  results.commit = UMBRAMETER_COMMIT;
+  results.version = kVersion;
+  results.commit = kCommit;
   results.plan = plan;
   for (const StudyScene& job : scenes) {
     const std::string prefix =

@@ -1,6 +1,6 @@
 #include "study/metadata.h"
 
-#include "umbrameter_version.h"
+#include "core/version.h"
 
 #include <fmt/format.h>
 
@@ -17,8 +17,8 @@ void add_metadata(Frame& frame, const Scene& scene, const RenderRequest& request
   metadata["eye_world"] = fmt::format("{} {} {}", eye.x, eye.y, eye.z);
   metadata["seed"] = std::to_string(request.seed);
   metadata["device"] = frame.device;
-  metadata["version"] = UMBRAMETER_VERSION;
-  metadata["commit"] = UMBRAMETER_COMMIT;
+  metadata["version"] = kVersion;
+  metadata["commit"] = kCommit;
   if (request.technique.empty()) return;
   metadata["technique"] = request.technique;
   metadata["parameters"] = to_text(frame.parameters);

@@ -1,13 +1,13 @@
 #include "study/validation.h"
 
 #include "core/files.h"
+#include "core/version.h"
 #include "study/guard.h"
 #include "study/renamed_progress.h"
 #include "study/savings.h"
 #include "study/scene_run.h"
 #include "study/temporal.h"
 #include "study/validation_memory.h"
-#include "umbrameter_version.h"
 
 #include <fmt/format.h>
 
@@ -176,8 +176,8 @@ Results run_validation(std::span<const SceneSource> scenes, const ValidationPlan
                        const std::filesystem::path& folder, Progress& progress, const SceneDone& scene_done,
                        ValidationMemory* memory) {
   Results results;
-  results.version = UMBRAMETER_VERSION;
-  results.commit = UMBRAMETER_COMMIT;
+  results.version = kVersion;
+  results.commit = kCommit;
   results.quality = plan.quality;
   results.picture = plan.picture;
   for (const SceneSource& source : scenes) {

@@ -1,13 +1,13 @@
 #include "study/validation_memory.h"
 
 #include "core/hash.h"
+#include "core/version.h"
 #include "study/json_parts.h"
 #include "study/judgement_json.h"
 #include "study/metadata.h"
 #include "study/run_json.h"
 #include "study/store/objects.h"
 #include "study/sweep/record.h"
-#include "umbrameter_version.h"
 
 #include <array>
 
@@ -26,8 +26,7 @@ constexpr const char* kUnlit = R"({"unlit": true})";
 RecordHead head_of(const SceneSource& source, const ValidationPlan& plan, const std::string& measured_at,
                    double duration_s) {
   const SceneResult& scene = source.description;
-  return {scene.name,        {},          scene.hash, scene.light_type, plan.picture,
-          UMBRAMETER_COMMIT, measured_at, duration_s};
+  return {scene.name, {}, scene.hash, scene.light_type, plan.picture, kCommit, measured_at, duration_s};
 }
 
 /// A file name of a result, and what the file is called in images/<scene>/.

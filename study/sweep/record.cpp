@@ -1,9 +1,9 @@
 #include "study/sweep/record.h"
 
+#include "core/version.h"
 #include "study/json_optional.h"
 #include "study/json_parts.h"
 #include "study/run_json.h"
-#include "umbrameter_version.h"
 
 #include <fmt/chrono.h>
 
@@ -55,7 +55,7 @@ RecordHead make_head(const std::string& name, const Scene& scene, const PictureQ
   head.scene_hash = scene.hash;
   head.light = to_text(scene.light().type);
   head.picture = picture;
-  head.commit = UMBRAMETER_COMMIT;
+  head.commit = kCommit;
   head.started = time_now();
   return head;
 }

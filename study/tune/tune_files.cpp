@@ -1,6 +1,6 @@
 #include "study/tune/tune_files.h"
 
-#include "umbrameter_version.h"
+#include "core/version.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -40,7 +40,7 @@ std::string preset_toml(const TunePlan& plan, const TuneResult& result) {
       "# Made by umbrameter {} ({}): umbrameter validate ... --preset FILE. The [[preset]] may be pasted "
       "into a manifest.\n"
       "technique = \"{}\"\n\n[[preset]]\nname = \"tuned\"\ndoc = \"Tuned {}.\"\n[preset.values]\n",
-      UMBRAMETER_VERSION, UMBRAMETER_COMMIT, plan.technique.id, summary(plan, result));
+      kVersion, kCommit, plan.technique.id, summary(plan, result));
   for (const Parameter& parameter : plan.parameters) {
     const ParameterValue& value = result.best.values.at(parameter.name);
     if (is_tuned(result, parameter.name) || value != parameter.default_value)

@@ -1,9 +1,9 @@
 #include "study/tune/tune_json.h"
 
+#include "core/version.h"
 #include "study/json_optional.h"
 #include "study/json_parts.h"
 #include "study/tune/tune_files.h"
-#include "umbrameter_version.h"
 
 #include <cmath>
 
@@ -94,8 +94,8 @@ std::string to_json_text(const TunePlan& plan, const TuneResult& result) {
                              {"relative_spread", one.relative_spread}});
   }
   return dump({{"schema", 1},
-               {"version", UMBRAMETER_VERSION},
-               {"commit", UMBRAMETER_COMMIT},
+               {"version", kVersion},
+               {"commit", kCommit},
                {"scenes", result.scenes},
                {"technique", plan.technique.id},
                {"hash", plan.technique.hash},

@@ -3,6 +3,7 @@
 #include "tests/cli/cli_fixture.h"
 
 #include "core/files.h"
+#include "tests/support/source_dir.h"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -131,7 +132,7 @@ TEST_F(BenchCommand, SlipsAreFoundBeforeAnythingIsRendered) {
 
 TEST_F(BenchCommand, TheStudiesOfPapersNameTechniquesThatExist) {
   // Techniques and parameters are resolved before scenes are loaded: only the models are missing here.
-  const std::filesystem::path papers = std::filesystem::path(UMBRAMETER_SOURCE_DIR) / "studies" / "papers";
+  const std::filesystem::path papers = source_dir() / "studies" / "papers";
   int studies = 0;
   for (const auto& file : std::filesystem::directory_iterator(papers)) {
     expect_bad_input(umbrameter({"bench", file.path().string()}), "UMBRAMETER_ASSETS");

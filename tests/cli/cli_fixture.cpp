@@ -7,8 +7,12 @@
 
 namespace umbrameter {
 
+std::string program_path() {
+  return UMBRAMETER_BINARY;
+}
+
 ProcessResult CliTest::umbrameter(const std::vector<std::string>& arguments, ProcessOptions options) const {
-  std::vector<std::string> command{UMBRAMETER_BINARY};
+  std::vector<std::string> command{program_path()};
   command.insert(command.end(), arguments.begin(), arguments.end());
   options.working_folder = folder();
   options.environment.insert(options.environment.begin(),

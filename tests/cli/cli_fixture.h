@@ -31,6 +31,9 @@ class CliTest : public testing::Test {
   TemporaryFolder folder_;
 };
 
+/// The built umbrameter.
+std::string program_path();
+
 /// Exit code 2, nothing on stdout, and exactly one line "umbrameter: error: ..." that holds `part`.
 void expect_bad_input(const ProcessResult& result, const std::string& part);
 

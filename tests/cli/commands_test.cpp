@@ -4,6 +4,7 @@
 #include "tests/cli/cli_fixture.h"
 
 #include "core/files.h"
+#include "tests/support/source_dir.h"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -151,8 +152,7 @@ TEST_F(GlCommands, ValidateWritesImagesResultsAndReport) {
 }
 
 TEST_F(GlCommands, AShaderThatDoesNotCompileIsNamedWithItsLineAndNothingIsWritten) {
-  const std::filesystem::path source =
-      std::filesystem::path(UMBRAMETER_SOURCE_DIR) / "realtime/techniques/hard";
+  const std::filesystem::path source = source_dir() / "realtime/techniques/hard";
   std::filesystem::copy(source, folder() / "mine");
   std::string text = read_file(source / "hard.frag");
   const size_t body = text.find("void main() {");
@@ -172,8 +172,7 @@ TEST_F(GlCommands, AShaderThatDoesNotCompileIsNamedWithItsLineAndNothingIsWritte
 }
 
 TEST_F(GlCommands, AUsersFolderRunsBesideTheBuiltInTechnique) {
-  const std::filesystem::path source =
-      std::filesystem::path(UMBRAMETER_SOURCE_DIR) / "realtime/techniques/hard";
+  const std::filesystem::path source = source_dir() / "realtime/techniques/hard";
   std::filesystem::copy(source, folder() / "mine");
   const ProcessResult result =
       umbrameter(with_tiny({"validate", "plate", "--technique", "hard", "--technique", "./mine", "--json"}));

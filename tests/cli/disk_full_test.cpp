@@ -21,7 +21,7 @@ class DiskFull : public CliTest {
   ProcessResult validate_within(int limit_KiB, const std::vector<std::string>& arguments) {
     std::vector<std::string> all{
         "bash", "-c", "trap '' XFSZ; ulimit -f " + std::to_string(limit_KiB) + "; exec \"$0\" \"$@\"",
-        UMBRAMETER_BINARY, "validate"};
+        program_path(), "validate"};
     all.insert(all.end(), arguments.begin(), arguments.end());
     return run_process(all, {.working_folder = folder()});
   }

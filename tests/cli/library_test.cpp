@@ -2,6 +2,7 @@
 // technique. The real models are found through UMBRAMETER_ASSETS; without it their tests are skipped.
 
 #include "tests/cli/cli_fixture.h"
+#include "tests/support/source_dir.h"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -15,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-const fs::path kLibrary = fs::path(UMBRAMETER_SOURCE_DIR) / "scenes/library";
+const fs::path kLibrary = source_dir() / "scenes/library";
 constexpr int kPatience_s = 550;
 
 std::vector<std::string> scene_names(const fs::path& folder) {

@@ -19,7 +19,7 @@ TEST_F(MemoryFull, IsAClearErrorAndLeavesNothing) {
 #endif
   // 7680 x 4320 px need some 3 GB.
   const ProcessResult result =
-      run_process({"bash", "-c", "ulimit -v 2000000; exec \"$0\" \"$@\"", UMBRAMETER_BINARY, "reference",
+      run_process({"bash", "-c", "ulimit -v 2000000; exec \"$0\" \"$@\"", program_path(), "reference",
                    "plate", "--width", "7680", "--height", "4320", "-o", "ref.exr"},
                   {.working_folder = folder()});
   EXPECT_EQ(result.exit_code, 3) << result.err;

@@ -1,6 +1,7 @@
 // Without these, a regression gate could pass a leak, fail without a change, or forget why a baseline changed.
 
 #include "tests/cli/cli_fixture.h"
+#include "tests/support/source_dir.h"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -128,7 +129,7 @@ TEST_F(Regress, ARecordIsNotOverwrittenByChance) {
 
 TEST_F(Regress, ABrokenTechniqueFailsWithItsMessage) {
   record();
-  const std::filesystem::path home = std::filesystem::path(UMBRAMETER_SOURCE_DIR) / "realtime" / "techniques";
+  const std::filesystem::path home = source_dir() / "realtime" / "techniques";
   std::filesystem::copy(home / "pcss", folder() / "pcss.copy");
   std::ofstream(folder() / "pcss.copy" / "pcss.frag", std::ios::app) << "\nno GLSL\n";
   write("suite.toml",

@@ -1,6 +1,7 @@
 // Without this test the report of a large validation could grow too large to send, or open to viewers that fail.
 
 #include "tests/cli/cli_fixture.h"
+#include "tests/support/source_dir.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -26,7 +27,7 @@ TEST_F(ReportSize, TwelveScenesOfThirtyRunsStayUnder60MBAndOpenEveryViewer) {
                                               "hard", "--technique", "pcss", "--quality", "quick", "--spp",
                                               "64", "--metrics", "error", "--frames", "1", "--out", "out"});
   ASSERT_EQ(validated.exit_code, 0) << validated.err;
-  const std::string support = UMBRAMETER_SOURCE_DIR "/tests/support/";
+  const std::string support = source_dir().string() + "/tests/support/";
   ASSERT_EQ(run_process({"python3", support + "repeat_results.py", path("out"), "12", "30"}).exit_code, 0);
   const ProcessResult report = umbrameter({"report", "out", "--out", "report.html"}, {.timeout_s = 400});
   ASSERT_EQ(report.exit_code, 0) << report.err;

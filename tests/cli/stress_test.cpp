@@ -1,6 +1,7 @@
 // Without these a crash would end a stress run, a broken technique would pass it, and a refusal could be mute.
 
 #include "tests/cli/cli_fixture.h"
+#include "tests/support/source_dir.h"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -19,8 +20,7 @@ class Stress : public CliTest {
 
   /// A copy of `hard` whose visibility is `expression`, which may use `visibility` and the parameter `bias_texels`.
   void write_technique(const std::string& expression) const {
-    const std::filesystem::path home =
-        std::filesystem::path(UMBRAMETER_SOURCE_DIR) / "realtime" / "techniques";
+    const std::filesystem::path home = source_dir() / "realtime" / "techniques";
     std::filesystem::copy(home / "hard", folder() / "tried");
     write("tried/hard.frag",
           "#include \"pixel.glsl\"\n#include \"shadow_map.glsl\"\nvoid main() {\n  Receiver receiver;\n"
@@ -53,8 +53,7 @@ Json range(const Json& results, const std::string& axis, const std::string& row)
 constexpr const char* kBiasAxis = "[[axis]]\nparameter = \"bias_texels\"\nvalues = [0.1, 1, 2, 3, 10]\n";
 
 TEST_F(Stress, TheSmallSuiteKeepsTheRules) {
-  const std::filesystem::path suite =
-      std::filesystem::path(UMBRAMETER_SOURCE_DIR) / "suites" / "stress-small.toml";
+  const std::filesystem::path suite = source_dir() / "suites" / "stress-small.toml";
   const ProcessResult result =
       umbrameter({"stress", suite.string(), "--json", "--out", "o"}, {.timeout_s = 600});
   EXPECT_EQ(result.exit_code, 0) << result.err;

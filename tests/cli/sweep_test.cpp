@@ -1,6 +1,7 @@
 // Without these a sweep could lose its work when it is killed, or do it twice.
 
 #include "tests/cli/cli_fixture.h"
+#include "tests/support/source_dir.h"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -62,11 +63,12 @@ class SweepCommand : public CliTest {
   }
   /// Kills the sweep with SIGKILL once it has stored a few images.
   void kill_sweep(const std::string& store, size_t images) const {
+    const std::string program = program_path();
     const pid_t child = fork();
     if (child == 0) {
       if (chdir(folder().c_str()) != 0) _exit(125);
       for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) dup2(open("/dev/null", O_WRONLY), stream);
-      execl(UMBRAMETER_BINARY, UMBRAMETER_BINARY, "sweep", "study.toml", "--out", store.c_str(), nullptr);
+      execl(program.c_str(), program.c_str(), "sweep", "study.toml", "--out", store.c_str(), nullptr);
       _exit(127);
     }
     const auto start = std::chrono::steady_clock::now();
@@ -170,7 +172,7 @@ TEST_F(GlSweepCommand, TwoAtOnceShareAStore) {
 
 TEST_F(GlSweepCommand, AFailedRunIsRecordedAndTheRestGoesOn) {
   std::filesystem::create_directory(folder() / "copies");
-  const auto from = std::filesystem::path(UMBRAMETER_SOURCE_DIR) / "realtime" / "techniques";
+  const auto from = source_dir() / "realtime" / "techniques";
   std::filesystem::copy(from / "hard", folder() / "copies" / "hard");
   std::ofstream(folder() / "copies" / "hard" / "hard.frag", std::ios::app) << "this does not compile\n";
   write_study("[[run]]\nlabel = \"bad\"\ntechnique = \"copies/hard\"\n");

@@ -6,6 +6,7 @@
 #include "realtime/realtime.h"
 #include "reference/reference.h"
 #include "scenes/load_scene.h"
+#include "tests/support/source_dir.h"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kRoot = UMBRAMETER_SOURCE_DIR;
+const fs::path kRoot = source_dir();
 const RenderRequest kSmall = {.width_px = 96, .height_px = 54, .seed = 1, .technique = {}, .parameters = {}};
 
 /// How far a picture may be from its golden one: values apart by more than `step` in at most `share` of the

@@ -3,6 +3,7 @@
 
 #include "core/error.h"
 #include "tests/gpu/technique_fixture.h"
+#include "tests/support/source_dir.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +22,7 @@ namespace fs = std::filesystem;
 
 /// The document's files: each fenced block after a line "<!-- file: NAME -->".
 std::map<std::string, std::string> files_of_document() {
-  std::ifstream document(fs::path(UMBRAMETER_SOURCE_DIR) / "docs/adding-a-technique.md");
+  std::ifstream document(source_dir() / "docs/adding-a-technique.md");
   const std::string mark = "<!-- file: ";
   std::map<std::string, std::string> files;
   for (std::string line; std::getline(document, line);) {

@@ -3,6 +3,7 @@
 #include "realtime/realtime.h"
 #include "tests/gpu/technique_fixture.h"
 #include "tests/support/procedural_scene.h"
+#include "tests/support/source_dir.h"
 #include "tests/support/technique_folder.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +16,7 @@ namespace {
 
 using namespace test;
 
-const std::filesystem::path kRealtime = std::filesystem::path(UMBRAMETER_SOURCE_DIR) / "realtime";
+const std::filesystem::path kRealtime = source_dir() / "realtime";
 
 /// A small picture in the middle of many boxes on a wide floor.
 Scene wide_scene(const Light& light) {

@@ -3,6 +3,7 @@
 
 #include "core/error.h"
 #include "realtime/harness/context.h"
+#include "tests/support/source_dir.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +14,7 @@
 namespace umbrameter::test {
 
 inline std::filesystem::path shaders_folder() {
-  return std::filesystem::path(UMBRAMETER_SOURCE_DIR) / "realtime/shaders";
+  return source_dir() / "realtime/shaders";
 }
 
 class GlTest : public ::testing::Test {

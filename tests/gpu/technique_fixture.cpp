@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "realtime/realtime.h"
 #include "tests/support/procedural_scene.h"
+#include "tests/support/source_dir.h"
 
 #include <glm/geometric.hpp>
 
@@ -28,7 +29,7 @@ struct SharedRenderer {
 const SharedRenderer& shared_renderer() {
   static const SharedRenderer shared = [] {
     SharedRenderer made;
-    const std::filesystem::path realtime = std::filesystem::path(UMBRAMETER_SOURCE_DIR) / "realtime";
+    const std::filesystem::path realtime = source_dir() / "realtime";
     try {
       made.renderer = make_realtime_renderer({realtime / "techniques", realtime / "shaders", {}});
     } catch (const Error& error) {
@@ -60,7 +61,7 @@ void look(Scene& scene, const glm::dvec3& eye, const glm::dvec3& at) {
 }  // namespace
 
 std::vector<Technique> techniques() {
-  return list_techniques(std::filesystem::path(UMBRAMETER_SOURCE_DIR) / "realtime" / "techniques");
+  return list_techniques(source_dir() / "realtime" / "techniques");
 }
 
 ParameterValues quick(const Technique& technique, int64_t map_size, int64_t light_samples) {

@@ -8,6 +8,7 @@
 #include "realtime/realtime.h"
 #include "tests/gpu/technique_fixture.h"
 #include "tests/support/procedural_scene.h"
+#include "tests/support/source_dir.h"
 
 #include <gtest/gtest.h>
 
@@ -23,7 +24,7 @@ namespace {
 
 using namespace test;
 
-const std::filesystem::path kRealtime = std::filesystem::path(UMBRAMETER_SOURCE_DIR) / "realtime";
+const std::filesystem::path kRealtime = source_dir() / "realtime";
 
 bool has_parameter(const Technique& technique, const std::string& name) {
   return std::ranges::any_of(technique.parameters, [&](const Parameter& p) { return p.name == name; });

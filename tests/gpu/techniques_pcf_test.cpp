@@ -45,10 +45,11 @@ class BruteForceTent : public testing::Test {
  protected:
   void SetUp() override {
     UMBRAMETER_REQUIRE_GL();
-    fs::copy(fs::path(UMBRAMETER_SOURCE_DIR) / "realtime/techniques/pcf_tent", path());
+    fs::copy(source_dir() / "realtime/techniques/pcf_tent", path());
     std::ofstream(path() / "pcf_tent.frag") << R"(
 #include "pixel.glsl"
 #include "shadow_map.glsl"
+#include "tests/support/source_dir.h"
 const int kReach = SIZE + 2;  // texels farther off weigh nothing
 float at(int distance) {
   int witness[3 * 5] = int[](2, 1, 0, 0, 0, 4, 3, 1, 0, 0, 16, 12, 5, 1, 0);

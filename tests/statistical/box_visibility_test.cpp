@@ -5,6 +5,7 @@
 #include "tests/statistical/agreement.h"
 
 #include "scenes/load_scene.h"
+#include "tests/support/source_dir.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +17,7 @@ namespace {
 const BoxUnderLight kCube{{-0.5, 0, -0.5}, {0.5, 1, 0.5}, {-2, 4, 1}, {3, 2}};
 
 Scene load_cube() {
-  return load_scene(std::filesystem::path(UMBRAMETER_SOURCE_DIR) / "bench/cube.toml", SceneSearch{});
+  return load_scene(source_dir() / "bench/cube.toml", SceneSearch{});
 }
 
 TEST(BoxVisibility, equals_exact_arithmetic) {

@@ -7,6 +7,7 @@
 #include "metrics/penumbra.h"
 #include "reference/reference.h"
 #include "scenes/load_scene.h"
+#include "tests/support/source_dir.h"
 
 #include <gtest/gtest.h>
 
@@ -26,7 +27,7 @@ struct Edge {
 };
 
 Frame truth_of(const std::string& name) {
-  const std::filesystem::path root = UMBRAMETER_SOURCE_DIR;
+  const std::filesystem::path root = source_dir();
   const Scene scene = load_scene(root / "scenes/library" / (name + ".toml"), SceneSearch{});
   SilentProgress silent;
   RenderRequest request;

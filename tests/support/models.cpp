@@ -1,4 +1,5 @@
 #include "tests/support/models.h"
+#include "tests/support/source_dir.h"
 
 #include <cstdlib>
 #include <filesystem>
@@ -6,7 +7,7 @@
 namespace umbrameter {
 
 SceneSearch model_search() {
-  const std::filesystem::path source = UMBRAMETER_SOURCE_DIR;
+  const std::filesystem::path source = source_dir();
   const char* folder = std::getenv("UMBRAMETER_ASSETS");
   return {
       .assets = folder != nullptr ? std::filesystem::path(folder) : source.parent_path() / "shared/models",

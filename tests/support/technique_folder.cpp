@@ -1,6 +1,7 @@
 #include "tests/support/technique_folder.h"
 
 #include "core/files.h"
+#include "tests/support/source_dir.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +13,7 @@ TechniqueFolder::TechniqueFolder() {
 }
 
 std::filesystem::path TechniqueFolder::shaders_folder() {
-  return std::filesystem::path(UMBRAMETER_SOURCE_DIR) / "realtime" / "shaders";
+  return source_dir() / "realtime" / "shaders";
 }
 
 TechniqueFolder& TechniqueFolder::write(const std::string& name, std::string_view text) {

@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/source_dir.h"
+
 namespace umbrameter {
 namespace {
 
@@ -46,7 +48,7 @@ bool is_generated(std::istream& text) {
 }
 
 TEST(shader_literals, of_techniques_and_library_are_plain_or_explained) {
-  const fs::path realtime = fs::path(UMBRAMETER_SOURCE_DIR) / "realtime";
+  const fs::path realtime = source_dir() / "realtime";
   const std::set<std::string> endings = {".frag", ".vert", ".comp", ".glsl"};
   size_t files = 0;
   for (const fs::path& folder : {realtime / "techniques", realtime / "shaders/lib"}) {

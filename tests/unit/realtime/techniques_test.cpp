@@ -1,5 +1,6 @@
 // Groups of parameters, what a technique is found by, and how its parameters get their values.
 
+#include "tests/support/source_dir.h"
 #include "tests/unit/realtime/whole_manifest.h"
 
 #include <gmock/gmock.h>
@@ -122,7 +123,7 @@ TEST(Parameters, IntegersServeForRealParameters) {
 
 // Every technique of ours must pass its own checks.
 TEST(Techniques, OfTheLibraryLoad) {
-  const auto realtime = std::filesystem::path(UMBRAMETER_SOURCE_DIR) / "realtime";
+  const auto realtime = source_dir() / "realtime";
   EXPECT_GE(list_techniques(realtime / "techniques").size(), 4u);
 }
 

@@ -3,6 +3,7 @@
 #include "tests/support/temporary_folder.h"
 
 #include "core/files.h"
+#include "tests/support/source_dir.h"
 
 #include <gmock/gmock.h>
 
@@ -17,7 +18,7 @@ using testing::Contains;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-const std::filesystem::path kLibrary = std::filesystem::path(UMBRAMETER_SOURCE_DIR) / "scenes/library";
+const std::filesystem::path kLibrary = source_dir() / "scenes/library";
 const SceneSearch kSearch{.assets = {}, .library = kLibrary};
 
 Scene load(const std::string& name) {

@@ -6,6 +6,7 @@
 #include "core/files.h"
 #include "report/report.h"
 #include "study/results_json.h"
+#include "tests/support/source_dir.h"
 
 namespace umbrameter {
 
@@ -40,7 +41,7 @@ Json ReportVisit::visit(const Json& steps, size_t budget_bytes) {
   write_report(folder_.path(), place("report.html"), budget_bytes);
   write_file_atomically(place("steps.json"), steps.dump());
   const ProcessResult result =
-      run_process({"python3", UMBRAMETER_SOURCE_DIR "/tests/support/browser.py",
+      run_process({"python3", source_dir().string() + "/tests/support/browser.py",
                    place("report.html").string(), place("steps.json").string(), place("profile").string()});
   EXPECT_EQ(result.exit_code, 0) << result.err;
   Json seen = result.exit_code == 0 ? Json::parse(result.out) : Json{{"console", {"no visit"}}};

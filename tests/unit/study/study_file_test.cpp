@@ -4,6 +4,7 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "tests/support/source_dir.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -245,7 +246,7 @@ INSTANTIATE_TEST_SUITE_P(Each, BadStudyFile, testing::ValuesIn(kBadStudies),
                          [](const auto& test) { return std::string(test.param.name); });
 
 TEST(StudyFileTest, TheExampleInTheDocsAndEveryStudyOfOursAreRead) {
-  const std::filesystem::path root = UMBRAMETER_SOURCE_DIR;
+  const std::filesystem::path root = source_dir();
   const std::string page = read_file(root / "docs/studies.md");
   const std::string fence = "```toml\n";
   const size_t start = page.find(fence) + fence.size();

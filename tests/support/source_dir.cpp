@@ -1,0 +1,3 @@
+#include "tests/support/source_dir.h"
+
+std::filesystem::path source_dir() { return UMBRAMETER_SOURCE_DIR; }
