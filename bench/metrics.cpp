@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Milliseconds a megapixel of each metric, on one and two threads, over a synthetic 1920x1080 pair; `everything` is
 // what a score with diagnosis and second opinions costs together. cpu_ms_per_megapixel is the time of all threads: what a
 // machine with other work can measure.

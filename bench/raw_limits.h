@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // How fast Embree alone could have done a picture: its rays and nothing else.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the integrator costs over Embree itself: the same shadow rays, once made, traced and summed by the
 // reference, once recorded and only traced, on one and on two threads; rates are per second of processor time, the best of
 // the repetitions counts. Prints at the end the ratio of the rates, how a

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the truth costs and how fast it converges: processor seconds (times start when the scene is built), rays a pixel and
 // RMSE of visibility over lit pixels, a line of CSV a picture, with what Embree alone needs for its primary and its shadow rays
 // (raw_limits.h). Blockers are not probed.

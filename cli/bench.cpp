@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "cli/bench_text.h"
 #include "cli/console.h"
 #include "cli/duration.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // From words to a verb. Not here: running it (cli/main.cpp).
 

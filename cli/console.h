@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What reaches the terminal: answers on stdout, everything else on stderr.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The GL device's identity without a GL context: remembered in a store as long as nothing that could change it has.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Times on the command line: "1ms", "800us", "0.5 s", "2min".
 

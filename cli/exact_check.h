@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // `reference --exact-check`: drawing the points, asking the oracle, saying what came out.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "cli/exact_truth.h"
 
 #include "reference/exact/exact_visibility.h"

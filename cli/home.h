@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Where the built-in scenes, techniques and shaders live, and how verbs find things by name.
 

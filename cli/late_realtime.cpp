@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "cli/late_realtime.h"
 
 #include "cli/device_memory.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The real-time renderer, whose device is known before it is opened (cli/device_memory.h).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A renderer that is opened when something is rendered: no GL context and no Embree device for what is known already.
 

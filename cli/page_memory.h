@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Whether a results folder holds the page of given results already: making it again takes longer than everything else when
 // nothing is rendered.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "cli/preset_file.h"
 
 #include "core/names.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Presets in files of their own, as `tune` writes them (docs/tuning.md).
 

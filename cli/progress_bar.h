@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Progress on stderr: a bar with the time left on a terminal, a line every few seconds elsewhere. Silent for
 // anything shorter than two seconds.

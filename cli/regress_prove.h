@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The selftest's faults against baselines that have been through their text (docs/regress.md).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A scene in a form that other engines read (docs/your-engine.md).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Scenes that are not loaded as long as only their description is needed: it is remembered in a store.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What `score` compares: pictures of any engine, made into images as ours, and a reference that is read or rendered.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A score as validate's results: a folder with pictures, results.json and the page.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Output appears whole or not at all: it is made in a hidden folder beside its place and moved at the end.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "cli/stress_worker.h"
 
 #include "cli/child_process.h"

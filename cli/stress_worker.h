@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // One axis of a stress run in a process of its own, and the process that looks after it.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "cli/study_runs.h"
 
 #include "core/error.h"

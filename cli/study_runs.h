@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What a study file names, found: its scenes loaded, its runs resolved against the techniques' manifests.
 

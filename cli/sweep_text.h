@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A sweep's plan and outcome, and what a store holds, as text and JSON.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "cli/console.h"
 #include "cli/home.h"
 #include "cli/techniques_verbs.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `techniques traits` and `techniques doc`: what measurements say about the built-in techniques.
 
 #include "cli/console.h"

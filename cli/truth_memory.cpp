@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "cli/truth_memory.h"
 
 #include "cli/reference_renderer.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Ray tracers that share what the store in --out knows (study/store/stored_reference.h).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The composition root: every verb registers itself and leaves a function to run.
 

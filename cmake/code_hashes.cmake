@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # cmake -DSOURCE_DIR=... -DOUTPUT=... -P code_hashes.cmake: writes study/store/code_hashes.h's constants. Comments and
 # formatting count, too: an edit that changes nothing costs a rendering, a change that goes unnoticed costs a wrong number.
 function(hash_rooms variable)

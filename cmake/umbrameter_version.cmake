@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # cmake -DSOURCE_DIR=... -DOUTPUT=... -DVERSION=... -P umbrameter_version.cmake: writes the constants of core/version.h.
 # Run by every build, so that a result never carries the commit of an earlier one.
 execute_process(COMMAND git -C "${SOURCE_DIR}" describe --always --dirty --abbrev=12 --exclude=*

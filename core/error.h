@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // How every room reports what went wrong. Not here: logging and exit codes (cli/).
 

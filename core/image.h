@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A float image with named channels, the currency between the rooms. Not here: files (core/image_io.h).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Reading and writing image files through OpenImageIO. Every write goes to a temporary name and is renamed.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A technique parameter is declared once, as a Parameter in its manifest. Command-line values, shader
 // defines and uniforms, sweeps, docs and the report's legend all derive from that declaration.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // How long work reports how far it is. The bar itself is drawn by cli/.
 

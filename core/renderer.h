@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The one interface both renderers offer, so that study/ needs neither GL nor Embree.
 

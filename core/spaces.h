@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Spaces and their conventions, written once (docs/conventions.md tells why).
 //   matrices  read dst_from_src, column vectors

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // TOML as plain values that remember their place in the file, and a reader that rejects unknown keys.
 // The only user of toml++, which is compiled once, in core/toml.cpp.

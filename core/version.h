@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Version and commit of this build, taken when it is built (cmake/umbrameter_version.cmake).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Command lines, words parted by line breaks: any of them is a verb to run or a message, and nothing is run.
 
 #include "fuzz/fuzz_file.h"

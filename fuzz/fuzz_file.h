@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Input of readers that want a file: one of this process in memory, written anew each time.
 

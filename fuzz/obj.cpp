@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // OBJ files: any bytes are a mesh or a sentence. An odd last byte means zstd-compressed.
 
 #include "fuzz/fuzz_file.h"

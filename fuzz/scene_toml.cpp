@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Scene files: any text is a scene or a sentence.
 
 #include "fuzz/fuzz_file.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pictures of other engines: any bytes are visibility with a score, or a sentence.
 
 #include "fuzz/fuzz_file.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Technique manifests: any text is a technique or a sentence.
 
 #include "fuzz/fuzz_file.h"

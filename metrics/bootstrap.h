@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Confidence intervals of a ratio of sums whose terms are correlated inside a tile but not between tiles.
 

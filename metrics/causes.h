@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Which part of an error the map's resolution, its steps and a technique's noise explain (METRICS 6.10, 6.12).
 // Ours, but for the texel's footprint, which is Lloyd's m (2006).

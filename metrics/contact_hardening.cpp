@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "metrics/contact_hardening.h"
 
 #include "core/statistics.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Does a technique's penumbra widen where the true one does (METRICS 6.6)? The curve log W_test over log
 // W_reference.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Least value of a plane within discs of any radius around the pixels of one tile.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What no small shift or width error of a true penumbra explains: the envelope residual (METRICS 5c). Ours;
 // the base of acne and leak detection (metrics/faults.h).

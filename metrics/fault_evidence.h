@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What speaks for which cause: signs of single pixels of the envelope residual, and their sums over components.
 // Not here: the verdict (metrics/faults.h).

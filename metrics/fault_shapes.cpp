@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "metrics/fault_shapes.h"
 
 #include "metrics/nearest_feature.h"

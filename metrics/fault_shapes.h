@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Shapes among wrongly shadowed pixels: which shadows have no counterpart, how wide a gap is.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Gives every wrongly shadowed pixel a cause (METRICS 6.7 to 6.9). The definitions are ours: no accepted ones
 // exist for acne, peter-panning or leaks. Not here: whether a pixel is wrong at all (metrics/envelope.h).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // How different two pictures look when flipped between: LDR-FLIP (Andersson, Nilsson, Akenine-Moller,
 // Oskarsson, Astrom, Fairchild 2020, "FLIP: A difference evaluator for alternating images", HPG) and HDR-FLIP

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The colour spaces of FLIP. Linear RGB has BT.709 primaries and the D65 white. Inline and without branches, so that
 // a loop over pixels vectorises.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The filters of FLIP's observer: contrast sensitivity, edges and points, all separable.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "metrics/flip_map.h"
 
 #include "core/error.h"

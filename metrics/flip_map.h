@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // FLIP of two pictures in linear RGB, pixel by pixel; what LDR-FLIP and HDR-FLIP share.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // FLIP's filters along rows, a band of a picture at a time. Not here: along columns (metrics/flip_see.h).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "metrics/flip_see.h"
 
 #include "metrics/flip_color.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // FLIP's observer: a picture through his filters into his colour space, a piece of a row at a time.
 

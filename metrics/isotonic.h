@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Widths of a noisy edge profile: a monotone fit first, then moments and crossings of the fit (METRICS 5a:
 // the largest gradient of a Monte Carlo profile is up to ten times too steep).

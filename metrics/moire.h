@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The frequency of acne's stripes: moire of the shadow map shows as one line in the spectrum, at one cycle a
 // texel. Ours (METRICS 6.7).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "metrics/nearest_feature.h"
 
 #include "core/error.h"

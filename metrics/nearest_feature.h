@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // For every pixel, which of a set of pixels is nearest: exact, Euclidean, linear in the pixels.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Do both renderers see the same surfaces? Asked before any shadow number (METRICS 6.16).
 

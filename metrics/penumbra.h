@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // How wide a technique's penumbrae are, and where their edges lie, against the truth (METRICS 5a, 6.5). The
 // definition is ours: no accepted one exists. docs/metrics.md explains the choices.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Finding ridges, their gradient, and the pixels of a walk along it. Not here: what the profiles mean
 // (metrics/penumbra.h).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "metrics/separable_filter.h"
 
 #include "metrics/tiles.h"

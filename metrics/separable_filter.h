@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Convolution of a plane with a one-dimensional kernel along rows or columns; the border pixel repeats
 // outside.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Which pixels are wrong beyond the reference's noise (METRICS 6.3).
 

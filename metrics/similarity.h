@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // PSNR and SSIM of one channel of the lit picture: second opinions beside FLIP, known to most readers.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Whether a pixel's error may be a true penumbra that is wider or lies elsewhere. Such a penumbra gets no lighter towards
 // its shadow, so light between the two says no; and a shadow does not creep over an outline, so shade on another surface

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The receiver a frame shows, read from its position, normal and primitive_id channels.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What moves that should not (METRICS 6.11): visibility of fixed world points while the camera moves, the
 // error's change while the light moves, and the spread over a technique's seeds. Ours. Not here: making the

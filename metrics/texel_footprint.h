@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // How large a shadow-map texel looks in each pixel (Lloyd 2006's m): the part of an error that only a larger
 // map can mend.

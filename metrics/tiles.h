@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Square tiles of an image, visited in parallel, each with its own result, so that whoever adds the results
 // up in tile order gets the same bits with any number of threads.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Does a reference contradict itself? What can be told of it without another reference.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Roots and powers without branches or calls, so that a loop over pixels vectorises on plain x86-64. Within
 // a few float roundings; the same bits on every machine, which libm's are not.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Does a difference stand out from the noise, and if not, would more samples show it? (METRICS 6.2)
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "metrics/visibility_error.h"
 
 #include "core/error.h"

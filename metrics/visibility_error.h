@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // How far a technique's visibility is from the truth, with the truth's own noise taken out
 // (METRICS 6.2, 6.4).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The Renderer over EGL and GL: keeps context, programs, and the buffers and G-buffers of the scenes and cameras seen last.
 
 #include "core/clock.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What a technique says, and what it costs: a Renderer over EGL and OpenGL 4.5.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "reference/blocker_probe.h"
 
 #include "reference/reference.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What stands between a shadowed receiver and the light: distances and layers, from a few probe rays.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "reference/embree_scene.h"
 
 #include "core/error.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Embree's device and acceleration structure as one owned thing. Not here: what the rays mean.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A light as one ray origin sees it: a flat patch, square or round, over which many shadow rays are made at
 // once. What a light is and how it weighs comes from scenes/light.h, which the patch is fitted to; tests

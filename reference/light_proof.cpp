@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "reference/light_proof.h"
 
 #include "reference/light_shafts.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Pixels whose light needs no ray: proven to see all of it or nothing of it.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The shafts of 16 pixels side by side in lanes, and what boxes and triangles do to them. Included by the one
 // file that walks the tree, because lanes must be inlined into the function that is cloned for the machine.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "reference/occluder_tree.h"
 
 #include "core/error.h"

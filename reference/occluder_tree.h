@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A tree of boxes over a scene's triangles that, unlike Embree's own, can be walked with volumes instead of rays.
 

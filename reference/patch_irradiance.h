@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // unshadowed_irradiance() of scenes/light.h, many samples at once: it is asked for at every pixel.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "reference/pixel_block.h"
 
 #include "reference/shadow_sampler.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A small square of pixels from known surfaces to finished channels: the grain of adaptive sampling.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "reference/pixel_tile.h"
 
 #include "reference/patch_irradiance.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A square of pixels from primary hits to finished channels: the grain of threads, and of the first proof.
 

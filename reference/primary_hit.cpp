@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "reference/primary_hit.h"
 
 #include <glm/geometric.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What the camera sees through the centres of pixels, to double precision, and where shadow rays start from there.
 

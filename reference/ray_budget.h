@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Where the shadow rays of a reference frame went, and which rule saved the others.
 

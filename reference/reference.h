@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What is true: Embree primary hits and stochastic area-light visibility.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The channels a reference frame has (core/renderer.h), written pixel by pixel from any thread.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "reference/sample_sets.h"
 
 #include "core/sampling/sobol.h"

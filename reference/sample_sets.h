@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The points at which lights are sampled. A few Owen-scrambled Sobol sets are made once; every pixel and
 // replicate takes one of them and moves it by a random digital shift of its own. Given the set, the shift

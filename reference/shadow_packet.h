@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Embree's packets of 4, 8 and 16 rays behind one name.
 

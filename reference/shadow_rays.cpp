@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "reference/shadow_rays.h"
 
 #include "reference/wide.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Shadow rays by the batch: made from a light patch, and summed after tracing. Not here: tracing.
 

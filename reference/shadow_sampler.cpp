@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "reference/shadow_sampler.h"
 
 #include "reference/shadow_packet.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Shadow rays of one pixel: tracing them in packets, and what their sums say.
 

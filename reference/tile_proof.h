@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Many pixels at once proven lit: most of a picture needs no look at its pixels one by one.
 

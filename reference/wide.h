@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Loops over 16 lanes, compiled for the registers of the machine they run on.
 

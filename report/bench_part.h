@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What `bench` measured: time against error of a study's runs, the front, the truth's own curve, and papers' claims.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "report/bench_tables.h"
 
 #include "report/html_table.h"

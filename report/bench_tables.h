@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The tables of a scene of a bench, from its JSON (docs/studies.md). A key that is missing throws a JSON exception.
 

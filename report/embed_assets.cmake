@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # cmake -D OUTPUT=file.cpp -D ASSETS=a;b -P embed_assets.cmake: defines report_asset(name) (report/assets.h).
 set(text "#include \"report/assets.h\"\n\n#include \"core/error.h\"\n\nnamespace umbrameter {\nnamespace {\n")
 set(table "")

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Everything known of a reference or a run as a description list, with the context that made it.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What the page's text is put together with. Not here: escaping (core/html.h).
 

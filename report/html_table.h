@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Cells and tables of the page, escaped. report/assets/table.js sorts them.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What the pictures' colours and scales mean, and how exact the pixels inside the page are.
 

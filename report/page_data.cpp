@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "report/page_data.h"
 
 #include "report/scene_planes.h"

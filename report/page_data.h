@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The numbers behind the page's pictures and plots, as one JSON object for its scripts.
 

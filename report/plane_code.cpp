@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "report/plane_code.h"
 
 #include "core/error.h"

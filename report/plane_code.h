@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Pixels as text that a browser unpacks: numbers in fixed steps or half floats, zlib, base64. report/assets/planes.js
 // is the other end.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Where the page's pixels lie: inside it up to a budget, beyond that in script files beside it, which a page opened from
 // disk may load where it may not fetch.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Before and after: what `regress check` found, with the gates' numbers.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A results folder -> one HTML file that needs no network: pictures are inside, numbers carry their context. Only what
 // would make it too large to open lies beside it.

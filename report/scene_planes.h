@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // One scene's pixels for the page, and the JSON that says how to read them.
 

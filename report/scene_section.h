@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // One scene of the report: what it is, the place of its pictures, and every run's numbers.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What other verbs leave beside the results, for sections of their own: tune*.json, bench*.json, stress*.json, regress*.json.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The stability map: what `stress` found, techniques x axes, and every cell of every axis.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What `tune` left beside the results: bias sweeps with their safe windows.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "scenes/clean_triangles.h"
 
 #include <glm/geometric.hpp>

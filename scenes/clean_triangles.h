@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Finds triangles that no renderer can agree about: without area, or exactly on top of one another.
 

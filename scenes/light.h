@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The area lights and how they are sampled. Every light has unit radiance; the sun has unit irradiance at
 // normal incidence.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Lights that geometry swallows: a common mistake, and one that makes a picture black without an error.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Scene files: TOML -> Scene. The format is described in docs/scene-format.md.
 

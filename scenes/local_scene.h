@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Scenes far from the origin, moved to it: both renderers compute in floats, which would lose what positions still hold.
 

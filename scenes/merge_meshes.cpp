@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "scenes/merge_meshes.h"
 
 #include "scenes/clean_triangles.h"

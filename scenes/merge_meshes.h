@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Puts the meshes of a scene file into the scene's one triangle list.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A mesh on its way from a file or a shape to the scene, in doubles.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "scenes/near_light.h"
 
 #include <glm/geometric.hpp>

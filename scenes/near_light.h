@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Irradiance from lights that are near for their size, in closed form: there a grid of points misses the peak. The GLSL
 // twin is realtime/shaders/gbuffer/near_light.glsl.

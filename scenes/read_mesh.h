@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // [[mesh]] of a scene file: a shape or an OBJ file, and its transform.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Values that cameras, lights and meshes share, read from TOML with their limits. Every function throws
 // Error{input} at the key when the value is outside its limits.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Positions are floats: far from the origin they are coarse, and what they bound is not what was meant.
 

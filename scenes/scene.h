@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The scene both renderers draw: one camera, one or more area lights, one merged triangle list. Positions are
 // float and final (world space), so that Embree and GL see bit-identical vertices.

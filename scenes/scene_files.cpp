@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "scenes/scene_files.h"
 
 #include "scenes/read_mesh.h"

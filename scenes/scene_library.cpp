@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The listing and naming half of load_scene.h.
 
 #include "core/names.h"

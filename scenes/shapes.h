@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Procedural meshes. y is up; lengths are world units. Solids are closed; sheets have no thickness. No parts
 // are set.

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # bench_tune.sh [FOLDER]: measures the tuner and writes the tables of docs/tuning.md. Per scene and technique:
 #   grid     two or three parameters, at most 5 % of a dense grid's evaluations, against that grid, on one camera
 #   presets  every parameter that does not count work, against the defaults and presets, and on held-out cameras

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # build.sh PRESET [TARGET...]: installs packages, configures and builds; the one place that knows how.
 set -euo pipefail
 cd "$(dirname "$0")/.."

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Holds the stated errors of the reference against exact arithmetic in many scenes: how many 95 % intervals hold the exact
 # visibility, and whether the mean error stays within its noise. Each scene has a seed of its own. Takes half an hour.
 #   scripts/certify_truth.sh [-b UMBRAMETER] [-n POINTS] [SCENE...]

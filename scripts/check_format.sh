@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Fails when a C++ file of ours is not formatted as clang-format 14 (pinned) would; --fix rewrites them.
 set -euo pipefail
 cd "$(dirname "$0")/.."

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Writes realtime/shaders/lib/disk_tables.glsl: point sets on the unit disk for techniques with a table of taps.
 
 Poisson: darts that keep a distance, in the order they were thrown. Blue noise: each point as far as can be from those

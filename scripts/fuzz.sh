@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # fuzz.sh [SECONDS] [TARGET...]: builds the libFuzzer targets with sanitizers and runs each for SECONDS (default 15).
 # What makes a target fail is left in build/sanitize/fuzz/found/; new inputs that reach new code in .../grown/TARGET.
 # `fuzz.sh minimise` writes the smallest set of inputs with the same coverage back to fuzz/corpus/.

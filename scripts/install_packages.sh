@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Installs what scripts/packages.txt lists, if something of it is missing. Safe to run again: then it does nothing.
 set -euo pipefail
 cd "$(dirname "$0")"

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # make_techniques_doc.sh [FOLDER]: measures every technique on the built-in scenes and four real models, and writes
 # docs/techniques.md. Needs a build (scripts/build.sh ci) and UMBRAMETER_ASSETS. FOLDER keeps the results.
 # Half an hour on two cores of a software rasteriser.

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Does the regression gate neither flake nor miss? Records a baseline, checks it again and again without a change (other
 # seeds, other thread counts, every GL device that --device names), then puts the selftest's faults through it.
 #   scripts/prove_regress.sh [-n CHECKS] [-s SUITE] [-b BINARY] [-d DEVICE]... [-f SCENE]... [-F]

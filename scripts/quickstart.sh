@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # From a fresh Debian 12 machine to out/report.html: installs packages, builds, validates the built-in scenes.
 # Arguments are handed to `umbrameter validate` (for example: --quality standard).
 set -euo pipefail

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # sanitize.sh [SECONDS]: address and undefined-behaviour sanitizers over every fuzz target (SECONDS each, default 10) and
 # over the small stress suite.
 set -euo pipefail

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # From a fresh Debian 12 machine to a tested tree: installs packages, builds, runs every test through CTest.
 # Real models are used when UMBRAMETER_ASSETS names their folder, or when ../shared/models exists.
 # Arguments are handed to ctest (for example: -L unit).

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """tuning_tables.py FOLDER DOC: the tables of docs/tuning.md, between its markers, from what bench_tune.sh measured."""
 
 import json

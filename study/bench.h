@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Time against error: every run of a study on every scene, frames timed in turn, pictures scored against one truth a
 // scene, what paper claims become of it. Sees only Renderer&.

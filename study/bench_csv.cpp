@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "study/bench_json.h"
 #include "study/csv.h"
 #include "study/metadata.h"

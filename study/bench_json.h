@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // BenchResults as one JSON object, and as CSV (docs/studies.md).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Why an image's shadows are wrong: penumbra widths, contact hardening and a class for every wrong pixel
 // (docs/metrics.md). Not here: how wrong they are (study/score.h).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "study/diagnosis_format.h"
 
 #include "study/format.h"

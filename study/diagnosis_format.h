@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A diagnosis as people read it; the terminal and the report show the same text.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "study/diagnosis_json.h"
 
 #include "study/json_optional.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Diagnosis <-> the keys `penumbra`, `contact_hardening`, `faults`, `moire` and `causes` of results.json
 // (docs/results.md).

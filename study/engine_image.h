@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Pictures that another engine rendered: their transfer undone, visibility from pairs, and what eight bits cost. Not here:
 // surfaces (study/engine_surfaces.h) and the score (study/score.h).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "study/engine_surfaces.h"
 
 #include "core/error.h"

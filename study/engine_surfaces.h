@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Aligning another engine's picture with the reference: its surfaces where it brought any, and what cannot be known where it
 // did not. Not here: its shadows (study/engine_image.h).

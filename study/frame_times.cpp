@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "study/frame_times.h"
 
 #include "core/statistics.h"

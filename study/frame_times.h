@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Times of a run's frames, and what is said about them. Not here: how they come about (study/timing.h).
 

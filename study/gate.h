@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Does a run pass, and if not, which fault is it? One rule with one set of limits for every fault, scene and
 // technique (docs/selftest.md). Not here: the numbers it rests on (study/score.h) and where runs come from.

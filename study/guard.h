@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The per-run guard: one run of many may fail; it is recorded and the rest goes on.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What results.json and bench.json have in common. Absent values are null.
 

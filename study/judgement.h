@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Whether an image's errors stand out from the reference's noise: pixel by pixel, against another image and against
 // a limit (docs/metrics.md). Not here: how large they are (study/score.h) and why (study/diagnosis.h).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Judgement <-> the keys `significance`, `verdict` and `limit` of results.json (docs/results.md).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "study/maps.h"
 
 #include "metrics/nearest_feature.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The metrics' per-pixel answers as channels of an EXR (docs/results.md). Not here: pictures of them (study/pictures.h).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What every image file says about itself in its header ("umbrameter:<key>").
 

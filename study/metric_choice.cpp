@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "study/metric_choice.h"
 
 #include "core/error.h"

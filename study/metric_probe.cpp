@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "study/metric_probe.h"
 
 #include "study/guard.h"

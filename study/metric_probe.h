@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Known answers that an error metric must give before anybody believes it: operands in order, mask obeyed, squares
 // squared, halves multiplied.

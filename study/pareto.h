@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // One measured run, and which of several to take: the front of time against error, and the two questions people ask.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What the class pictures say, read back: the inverse of study/pictures.h.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Size, samples and seed of pictures: said once, and held by every plan, result and stored record.
 

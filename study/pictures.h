@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Maps for people, each at one fixed scale that its legend states. Colours are sRGB bytes; the report's
 // legend takes them from here.

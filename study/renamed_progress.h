@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Gives tasks longer names: "pcss" becomes "plate (2 of 13), pcss:taps=64".
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What a validation found, as plain data: the model behind results.json (docs/results.md), the terminal table
 // and the report. Not here: files (study/results_json.h) and how the numbers come about (study/validation.h).

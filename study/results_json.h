@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Results <-> results.json (docs/results.md), and a lone score as JSON.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // `[run.values]` and `[run.sample]`: lists become a grid of runs, samples multiply it, and the label says which point of
 // it a run is.

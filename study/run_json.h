@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What results.json says of a run and of the truth (docs/results.md): the one writer and the one reader of such entries,
 // in results.json and in the store.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What skips have saved, estimated from the times of what was not skipped.
 

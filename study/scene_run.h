@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The steps of one scene's validation, each guarded on its own. Not here: their order (study/validation.cpp).
 

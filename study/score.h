@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Parity, visibility error, significance and diagnosis of one image against the reference; what `validate` and `score` both ask.
 

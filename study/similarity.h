@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // FLIP, SSIM and PSNR of the lit picture: second opinions, on which no verdict rests (docs/metrics.md).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "study/similarity_format.h"
 
 #include "study/format.h"

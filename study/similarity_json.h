@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Second opinions in results.json and in the store (docs/results.md).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // `[[camera]]` of a study file (docs/studies.md): from where each of its scenes is seen, instead of the scene's own camera.
 

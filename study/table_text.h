@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Text in tables for people. Not here: HTML (core/html.h).
 

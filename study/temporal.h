@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Sequences for the temporal metrics: the camera or the light moves by irrational steps, so that no texel snaps
 // onto itself, or the seed changes. Not here: the metrics (metrics/temporal.h).

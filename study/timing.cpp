@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "study/timing.h"
 
 #include "study/guard.h"

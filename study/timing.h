@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Renders runs on one scene and times their frames in turn: A B C A B C ..., so that whatever changes while the clock
 // runs (heat, other programs) changes all of them alike.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The six properties by which paper E (table 4.1) tells techniques apart, computed instead of judged. Sees only
 // Renderer&. docs/traits.md says what each number means.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "study/truth_curve.h"
 
 #include "core/clock.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Time against error of the truth itself: one scene at a series of settings. Sees only Renderer&.
 

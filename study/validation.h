@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Scenes x techniques: render the truth once a scene, gate on parity, score every technique, write the
 // pictures. Sees only Renderer&.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "study/validation_memory.h"
 
 #include "core/hash.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What a validation finds in a store and leaves there, so that the same question is not rendered twice (docs/store.md).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The points of the contact-hardening plot. Not here: the line through them (metrics/contact_hardening.h).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Point patterns that technique shaders use, and their C++ twins. The realtime room uploads or mirrors
 // exactly these; tests/gpu compares.

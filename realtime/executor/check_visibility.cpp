@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "realtime/executor/check_visibility.h"
 
 #include "core/error.h"

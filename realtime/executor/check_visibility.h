@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A technique's answer must be a visibility before anyone measures it.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "realtime/executor/execute.h"
 
 #include "realtime/harness/context.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What a manifest declares and a run does not need. Not here: leaving it out (plan.cpp, targets.cpp).
 

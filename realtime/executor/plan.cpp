@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "realtime/executor/plan.h"
 
 #include "realtime/executor/prelude.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A run as a flat list of draws: loops unrolled, programs compiled, textures made, all uniform data in one
 // buffer. Executing it only binds and draws.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "realtime/executor/prelude.h"
 
 #include "realtime/harness/frame_uniforms.h"

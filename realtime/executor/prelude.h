@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The text put before every technique shader: defines, uniform blocks, samplers and outputs, generated from
 // the manifest (docs/technique-manifest.md, "What a shader sees"). No GL calls.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A pass made ready to draw: its program compiled, its targets and textures at hand.
 

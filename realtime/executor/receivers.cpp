@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "realtime/executor/receivers.h"
 
 #include <glm/common.hpp>

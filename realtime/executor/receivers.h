@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What the camera sees of the scene that light could reach: from a G-buffer image with its channels
 // position.*, primitive_id and unshadowed_irradiance (receiver_plane: normal.* too).

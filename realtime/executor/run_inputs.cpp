@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "realtime/executor/run_inputs.h"
 
 #include "realtime/manifest/names.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What one run of a technique starts from, and the numbers its expressions see.
 

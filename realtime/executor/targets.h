@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The textures a run reads and writes: those resources whose condition holds, `visibility`, and the G-buffer.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Where each visible point falls in the light's map, so that errors can be told by the map's resolution.
 

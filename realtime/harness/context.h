@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // An OpenGL 4.5 core context without a display or a window. GL is called from one thread at a time: the one
 // that last called make_current().

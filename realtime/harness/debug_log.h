@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What KHR_debug reported, kept until somebody asks. Callbacks must not throw, so they record.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The two kinds of drawing passes and the fixed-function state all of them start from.
 

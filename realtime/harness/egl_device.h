@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // EGL displays that need no window system, and contexts on them. Private to context.cpp and its tests.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Fills the uniform blocks of shaders/shared/frame_data.h.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What the camera sees, at pixel centres: the receivers that visibility is computed for.
 

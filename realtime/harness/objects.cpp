@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "realtime/harness/objects.h"
 
 #include "realtime/harness/debug_log.h"

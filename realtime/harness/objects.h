@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // GL objects as move-only values (direct state access). A context must be current whenever one is made or
 // dies.

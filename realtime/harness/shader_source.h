@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Shader text: #include resolution and the way back from a driver's line numbers to the user's file. No GL.
 

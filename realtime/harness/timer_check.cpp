@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "core/error.h"
 #include "realtime/harness/context.h"
 #include "realtime/harness/timers.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "realtime/harness/timers.h"
 
 #include "core/error.h"

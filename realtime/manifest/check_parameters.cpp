@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "realtime/manifest/check_technique.h"
 #include "realtime/manifest/expression.h"
 #include "realtime/manifest/names.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "core/names.h"
 #include "realtime/harness/objects.h"
 #include "realtime/manifest/check_technique.h"

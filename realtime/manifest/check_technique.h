@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What makes a manifest whole: every name means something, everything declared is used, what is read was
 // written before.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The small arithmetic of manifests: numbers, names, + - * /, comparisons, && || !, ?:, and
 // min max ceil floor log2 pow abs. Nothing else.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "realtime/manifest/manifest_parts.h"
 
 #include "core/names.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Pieces of a manifest that several of its tables are made of. Private to realtime/manifest.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What manifests may name besides their own things, and how names reach GLSL.
 

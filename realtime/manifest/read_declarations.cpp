@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "realtime/manifest/manifest_parts.h"
 #include "realtime/views/light_view.h"
 

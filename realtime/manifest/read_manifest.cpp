@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "realtime/manifest/read_manifest.h"
 
 #include "core/names.h"

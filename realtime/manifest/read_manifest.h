@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // From technique.toml to a Technique: keys, types and expressions, each checked where it stands. What needs
 // the whole picture is in check_technique.h.

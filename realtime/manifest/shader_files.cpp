@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "realtime/manifest/shader_files.h"
 
 #include "realtime/harness/shader_source.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The shader files of a technique, with everything they include. Text only, no GL.
 

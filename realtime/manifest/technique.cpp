@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "realtime/manifest/technique.h"
 
 #include "core/files.h"

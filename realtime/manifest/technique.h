@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A technique as its folder says: manifest + GLSL. Pure data, no GL. docs/adding-a-technique.md is the guide.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "realtime/views/camera_tiles.h"
 
 #include <glm/common.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Which triangles can reach a light's map at all: what lies beside it, behind the light or beyond its farthest receiver
 // is clipped by GL anyway, after its vertices were fetched and transformed. No GL.

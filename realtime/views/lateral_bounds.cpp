@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "realtime/views/lateral_bounds.h"
 
 #include <glm/common.hpp>

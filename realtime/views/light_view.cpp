@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "realtime/views/light_view.h"
 
 #include "realtime/views/lateral_bounds.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Shadow-map cameras, fitted on the CPU to what the camera sees. No GL.
 

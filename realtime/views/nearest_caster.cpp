@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "realtime/views/nearest_caster.h"
 
 #include <glm/common.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // How near to the light the first caster inside a map's bounds is: penumbra searches reach as far as that
 // tells. Internal to views/.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Visibility behind a single box in closed form: polygons clipped in double precision. No CGAL.
 

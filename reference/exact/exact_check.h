@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A reference picture held against the exact oracle at points drawn over it. No CGAL in here.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The light's frame in exact arithmetic, and convex polygons clipped in it. For the oracle's own sources.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The exact visibility of any light in a scene of any size: only the triangles between the receiver and the light are
 // looked at, and of these only the edges that bound their common shadow.

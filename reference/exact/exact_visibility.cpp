@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "reference/exact/exact_visibility.h"
 
 #include "reference/exact/exact_frame.h"

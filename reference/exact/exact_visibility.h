@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Visibility without sampling, in exact arithmetic: the oracle that the reference is tested against. For
 // scenes of a few hundred triangles; seconds, not microseconds.

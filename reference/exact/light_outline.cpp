@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "reference/exact/light_outline.h"
 
 #include <glm/geometric.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A light as a flat polygon for one receiver; a round one between two polygons.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "reference/exact/shadow_arrangement.h"
 
 #include <CGAL/Arr_curve_data_traits_2.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The light's plane cut up by directed edges, and how often each part is wound around. For the oracle's own sources.
 

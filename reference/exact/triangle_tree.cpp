@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "reference/exact/triangle_tree.h"
 
 #include <glm/common.hpp>

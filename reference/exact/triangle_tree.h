@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Which triangles a convex volume may meet: the oracle's own tree, so that it owes nothing to what it judges.
 

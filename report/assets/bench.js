@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What `bench` measured: time against error with the recommended run, and the truth's own curve.
 
 const benchCharts = [];

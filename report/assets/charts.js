@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Plots (Chart.js). Every plot's numbers are also in the table or among the runs' numbers.
 
 function themeColours() {

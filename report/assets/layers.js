@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pixels into pictures, at fixed scales that the legend states.
 
 const kZScale = 6;            // sigmas at the ends of the z map's colours

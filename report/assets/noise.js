@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Does a pixel's error stand out from the reference's noise? The same as metrics/significance.cpp (docs/metrics.md).
 
 const kFloorVariance = 1e-6;  // the square of what nobody calls an error

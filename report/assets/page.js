@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Theme, links into the page, and viewers that are made when they come into sight.
 
 let isDark = matchMedia("(prefers-color-scheme: dark)").matches;

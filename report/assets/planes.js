@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 "use strict";
 // The page's numbers and pixels. Pixels stay packed (report/plane_code.h) until someone looks at them.
 

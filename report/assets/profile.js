@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The penumbra under the cursor: V and R along R's steepest ascent on the receiver, with R's error band.
 
 const kMaxWalk = 512;      // px to either side

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Stability maps: one stop for Tab each, arrows within, and what the cell under pointer or focus says.
 
 function showCell(detail, cell) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What `tune` found: objective, acne and peter panning over a bias, with the window where both are harmless.
 
 const sweepCharts = [];

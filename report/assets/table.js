@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tables: sorted by a heading; the summary is filtered by words and a choice, too.
 
 // The cell that stands in column `index`, counting columns that a spanning cell covers.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One viewer a scene: what it shows, and how that is chosen. Drawing is viewer_draw.js, keys are viewer_keys.js.
 
 const viewers = new Map();  // by scene index

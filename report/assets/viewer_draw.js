@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Draws a viewer's panes: all at one pan and zoom, with a cross at the cursor.
 
 const kPanes = {panes: ["other", "run", "map"], flip: ["run"], slider: ["run"], difference: ["map"]};

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Mouse, touch and keys of a viewer.
 
 const kMaxZoom = 64;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Bytes of a mesh file, plain or zstd-compressed, read in blocks.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Wavefront OBJ files (plain or .zst) through tinyobjloader: polygons, normals, materials and groups as
 // parts.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Collects the statements of an OBJ file into a mesh; load_obj.cpp calls it from tinyobjloader's callbacks.
 

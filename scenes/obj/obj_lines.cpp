@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "scenes/obj/obj_lines.h"
 
 #include "core/error.h"

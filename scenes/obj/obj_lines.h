@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Feeds an OBJ file to tinyobjloader line by line, checking each line and knowing its number.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What a line of an OBJ file may look like. tinyobjloader reads garbage as zeros, so each line is checked
 // first.

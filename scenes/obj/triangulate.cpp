@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "scenes/obj/triangulate.h"
 
 #include <glm/geometric.hpp>

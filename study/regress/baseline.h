@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The text that a regression compares with: numbers with their noise, what they are of, and why they were accepted. Small
 // and sorted, to be read in a diff. Not here: how numbers come about (study/regress/run.h).

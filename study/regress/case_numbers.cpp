@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "study/regress/case_numbers.h"
 
 #include "core/error.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What a regression remembers of a run, by name, so that it can stand in a text file: its error with its noise, and what
 // the gate measures. Not here: the file (study/regress/baseline.h) and the rule (study/regress/judge.h).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The rule of a regression: a run's numbers against the baseline's, against truth both (docs/regress.md). Not here: where
 // numbers come from (study/regress/run.h).

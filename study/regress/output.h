@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A check as others read it: people, CI servers, programs. Not here: the page (report/regress_part.h).
 

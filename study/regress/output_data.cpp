@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "study/json_optional.h"
 #include "study/json_parts.h"
 #include "study/regress/output.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "study/format.h"
 #include "study/regress/output.h"
 #include "study/table_text.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The mutation suite of the selftest (study/selftest/fault_list.h) through a whole record and check: does a regression find
 // and name the same faults?

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Renders what a suite names and judges it against a baseline, or makes one. Sees only Renderer&.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "study/regress/scene_work.h"
 
 #include "study/frame_times.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A scene's truth and pictures while a regression looks at them, and what they measure. Not here: verdicts and in which order
 // (study/regress/run.cpp).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "study/regress/seed_noise.h"
 
 #include "core/error.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "study/regress/suite_file.h"
 
 #include "core/files.h"

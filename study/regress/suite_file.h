@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What a regression suite's file says (docs/regress.md): scenes and runs as a study says them, and the gates they must
 // keep. Not here: whether scenes and techniques exist (cli/).

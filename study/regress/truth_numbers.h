@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What a regression remembers of a scene's truth: enough to notice that another truth is being compared with, without
 // keeping its picture.

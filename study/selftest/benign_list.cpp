@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "study/selftest/fault_list.h"
 #include "study/selftest/injection.h"
 #include "study/selftest/scene_change.h"

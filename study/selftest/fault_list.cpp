@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "study/selftest/fault_list.h"
 
 #include "study/guard.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The faults that the gate must find and name, and the variants that it must let pass. The machinery behind them:
 // study/selftest/{stage,mutant,scene_change,injection}.h.

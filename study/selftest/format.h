@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The selftest's matrix for people (also docs/selftest.md) and for programs.
 

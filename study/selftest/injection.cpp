@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "study/selftest/injection.h"
 
 #include "core/sampling/sobol.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "study/selftest/scene_change.h"
 
 #include <glm/geometric.hpp>

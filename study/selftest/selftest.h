@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The tester tested: known faults in pictures, techniques, references and metrics, which the gate must find and name, and
 // benign variants, which it must let pass (docs/selftest.md).

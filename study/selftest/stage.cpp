@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "study/selftest/stage.h"
 
 #include "metrics/truth_check.h"

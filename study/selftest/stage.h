@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A scene with its truth and pictures of it, for trials of the gate. Not here: which faults there are.
 

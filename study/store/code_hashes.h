@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What our own source text was when this was built, by what it can change (cmake/code_hashes.cmake writes them).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // SQLite with our errors: the only user of sqlite3.h. Not here: what is stored (study/store/store.h).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What a stored result stands under: a hash of everything that can change its numbers, and of nothing else. Labels, titles,
 // names of scenes and the number of threads are not in it.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A store that is made when the first thing is put into it, so that a run that ends before leaves nothing behind.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The tables of store.sqlite, and what is done when they are damaged. Described in docs/store.md.
 

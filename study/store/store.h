@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The results folder that remembers: store.sqlite beside content-addressed images (docs/store.md). An entry is a JSON
 // text under a key that stands for everything that can change it. Several processes may write at once.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A ray tracer that looks into a store before it works, so that no truth is rendered twice (docs/store.md).
 

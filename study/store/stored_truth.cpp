@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "study/store/stored_truth.h"
 
 #include "core/image_io.h"

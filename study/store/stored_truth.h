@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Truths in a store: how one is described, kept and found again, whoever rendered it. Not here: under which key
 // (study/store/keys.h) and when it is asked for.

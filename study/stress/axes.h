@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The table of axes, by family. Not here: what a suite chooses of them (study/stress/suite_file.h).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A difficulty axis: a family of scenes or parameters that one number, or one word, makes harder (docs/stability.md).
 // Not here: what comes of it (study/stress/run.h).

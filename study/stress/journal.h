@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The file through which a worker tells what it does, so that a crash or a hang is an outcome and not the end: a line when
 // a task starts, a line with its cell when it is done.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Meshes written as OBJ text, so that they take the way that users' meshes take.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What came of one technique, or of the truth, at one value of an axis.
 

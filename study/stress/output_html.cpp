@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "core/html.h"
 #include "study/stress/output.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // One axis walked: every value for the truth and for every technique, a cell each. Not here: the process it happens in
 // (cli/stress_worker.h) and what the cells say together (study/stress/summary.h).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The scene that axes change one thing of: a box and a floating slab on a floor under a rectangle, as the text of a scene
 // file. Numbers here are before `scale` and `offset_world`.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The scene at a value of an axis, with its truth and what the truth itself is worth.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "study/stress/suite_file.h"
 
 #include "core/toml.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What a stress suite's file says (docs/stability.md). Not here: whether techniques exist (cli/).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What the cells of all axes say together: ranges, what breaks them, and the rules.
 

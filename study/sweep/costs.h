@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // How long a run or a truth will take: from what the store has seen, else a rough model.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A store's runs as a list, as JSON and as CSV (docs/store.md).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "study/sweep/make_record.h"
 
 #include "study/technique_result.h"

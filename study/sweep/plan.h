@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What a sweep will do, said before it does it. Not here: doing it (study/sweep/sweep.h).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What the store holds of a run and of a truth. Not here: under which key (study/store/keys.h).
 

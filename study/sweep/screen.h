@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Parameters that cannot be seen to matter in a scene: small pictures of a study's extreme values, compared bit by bit. A hint
 // for whoever writes the study, no proof: nothing is left out because of it.

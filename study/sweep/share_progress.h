@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // One bar for many steps of known weight: what a step reports moves the bar within the step's share of it.
 

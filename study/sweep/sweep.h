@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Does what a plan says: renders, scores and stores run by run, so that a sweep killed at any moment goes on where it was.
 // Frames, when they are timed, are drawn in turn with those of the scene's first run alone: what was done need not be

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Which of two stored runs is nearer to the truth, from their images: no renderer is asked.
 

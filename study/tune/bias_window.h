@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The safe window of a bias: from where it has no acne to where it detaches shadows. An empty window is a finding: no bias
 // works there.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What tuned values compete with: the defaults and every preset, at the same cost and as given.
 

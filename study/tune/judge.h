@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // One number for a set of values: the mean over views of the objective's ratio to that of the defaults, so that scenes
 // of large errors do not outvote the others.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Steps of the search on some of the axes, the others as in the best trial.
 

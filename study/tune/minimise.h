@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The search: coarse levels of every axis, then NLopt's global and local methods on the axes that matter, then each
 // axis by itself. Needs no gradients: near the onset of acne an objective is a step.

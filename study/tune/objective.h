@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What a tuner makes small (METRICS 6.13), and the shares of acne and peter-panning that bound a bias.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Tuned parameters as axes of the unit cube: which ones there are, and what a place on one means.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Which of the values that a search found to keep: those that hold on cameras the search did not see, too, and of these the
 // plainest.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What a search has tried: every point once, within a budget. Not here: where it looks next (study/tune/minimise.h).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Auto-tune: the parameters of one technique that make an objective least on one scene or on several, what they are worth
 // beside the defaults and presets, on cameras they were not made for, and how far they may be moved.

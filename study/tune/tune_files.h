@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Tuned values as files: a preset to be used with --preset or pasted into a manifest, and plain numbers for an engine.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // tune.json; its keys are described in docs/tuning.md.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What a tuner looks at: scenes from cameras, each with its truth, rendered once and kept. The truth and the seed are
 // the same for all parameters, so that only they make a difference.

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Fails when an include crosses a room's arrow, or a heavy library leaves its one home."""
 import pathlib
 import re

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these tests bad input could crash, hang, pass silently, leave half a file, or end in a message that
 // helps nobody.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these, a study could pass its parts' tests and not run.
 
 #include "tests/cli/cli_fixture.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tests/cli/cli_fixture.h"
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Runs the built umbrameter in a folder of the test's own, with no assets and no home from outside.
 

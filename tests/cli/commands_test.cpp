@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these tests a command could stop working end to end, mix logs into its JSON, or exit with the wrong
 // code.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without this a full disk could leave half an image behind, lose what was stored, or end in a message that helps nobody.
 
 #include "tests/cli/cli_fixture.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these the exact check could stop working end to end, or choose its points by their errors.
 
 #include "tests/cli/cli_fixture.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these a scene of the library could stop loading, stop agreeing between the renderers, or lose a
 // technique. The real models are found through UMBRAMETER_ASSETS; without it their tests are skipped.
 

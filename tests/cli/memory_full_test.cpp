@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without this a picture too big for the machine could end in a crash or a message that helps nobody.
 
 #include "tests/cli/cli_fixture.h"

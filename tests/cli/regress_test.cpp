@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these, a regression gate could pass a leak, fail without a change, or forget why a baseline changed.
 
 #include "tests/cli/cli_fixture.h"

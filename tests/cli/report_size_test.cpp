@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without this test the report of a large validation could grow too large to send, or open to viewers that fail.
 
 #include "tests/cli/cli_fixture.h"

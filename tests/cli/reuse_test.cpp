@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these tests a second validation could render everything again, give other numbers than the first, show a
 // damaged image, or skip something that would have changed a number.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these, --metrics, --baseline and --limit could be read and ignored.
 
 #include "tests/cli/cli_fixture.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without this a study could spend its time on a parameter that changes nothing, or be told so of one that does.
 
 #include "tests/cli/cli_fixture.h"

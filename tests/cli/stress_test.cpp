@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these a crash would end a stress run, a broken technique would pass it, and a refusal could be mute.
 
 #include "tests/cli/cli_fixture.h"

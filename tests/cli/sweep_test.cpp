@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these a sweep could lose its work when it is killed, or do it twice.
 
 #include "tests/cli/cli_fixture.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these, tuned values could be written that no other command takes.
 
 #include "core/files.h"

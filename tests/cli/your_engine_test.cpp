@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these, a picture of another engine could be scored with other numbers than the same picture of ours: its transfer
 // undone wrongly, its pairs divided wrongly, its places not looked at.
 

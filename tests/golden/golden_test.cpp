@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these: a change of pictures that no closed form covers (sampling order, filter weights, bias) could
 // pass unseen. Update on purpose with UMBRAMETER_UPDATE_GOLDEN=1 and say in the commit why the pictures
 // changed.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // docs/adding-a-technique.md is followed word for word: were it wrong, the first thing a user tries would
 // fail.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Leaving out triangles that cannot reach a map must change no pixel of any technique, and must be said.
 
 #include "realtime/realtime.h"

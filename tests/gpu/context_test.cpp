@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these, a driver's complaint, a wrong device or a flipped depth range would go unnoticed.
 
 #include "realtime/harness/draw.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The tables of scripts/disk_tables.py keep what they are used for; a table edited by hand would not show elsewhere.
 
 #include "tests/gpu/gl_test.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Levels, samples, passes that run once, fullscreen depth, clip distances and stage switches: each is visible in a
 // picture here, so a manifest cannot promise what GL does not do.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these, what a manifest says and what GL does could part: sizes, loops, blending, culling,
 // conditions, views, timings.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these, shadows would be computed for other points than the ones the truth is computed for.
 
 #include "realtime/harness/gbuffer.h"

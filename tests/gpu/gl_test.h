@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A test with a context; skipped, with the reason, on a machine without GL.
 

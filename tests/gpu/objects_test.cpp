@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these, a format could store something else than its name says, or a row be read back upside down.
 
 #include "realtime/harness/objects.h"

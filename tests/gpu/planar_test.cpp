@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Planar projection against closed forms: on its plane it must converge to the truth, elsewhere it must say lit.
 
 #include "tests/gpu/technique_fixture.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these, a mistake in a user's shader would point at the wrong file, and a block at the wrong bytes.
 
 #include "realtime/harness/program.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Scenes with closed-form visibility, and one GL renderer for all technique tests of a process.
 

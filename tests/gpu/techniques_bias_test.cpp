@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Each bias scheme alone must keep a slope from shadowing itself and must not lose the shadow of a box; without any
 // there must be acne, or these tests prove nothing.
 

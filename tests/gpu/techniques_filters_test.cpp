@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The filters over a shadow map: two ways to the same filter must agree, and neutral settings must be the
 // simpler one.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What must not matter to any technique: where the world's origin is, how the map is fitted, a factor of two in its
 // size, an earlier run. And what must not be paid for: resources and passes that the parameters make useless. The
 // complaints behind this list are in the issue trackers of most engines.

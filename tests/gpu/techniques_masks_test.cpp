@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Edge masks: without these a mask could lose penumbrae, or cost as much as filtering everywhere, unseen.
 
 #include "tests/gpu/technique_fixture.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Prefiltered maps: exact where theory says so, wrong by as much as theory says elsewhere.
 
 #include "tests/gpu/technique_fixture.h"

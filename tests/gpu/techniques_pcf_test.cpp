@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The percentage-closer filters that reach a known filter by another route: gathers, tents, jittered disks.
 
 #include "tests/gpu/technique_fixture.h"

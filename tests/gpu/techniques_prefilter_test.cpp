@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Prefiltered maps beyond one blocker: the leak that theory predicts, slopes that end, samples and mip levels.
 
 #include "tests/gpu/technique_fixture.h"

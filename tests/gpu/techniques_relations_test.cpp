@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What every technique owes whatever its picture: sane values, no self-shadowing, parameters that act.
 
 #include "core/error.h"

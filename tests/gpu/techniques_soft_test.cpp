@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The soft-shadow family: what it owes to closed forms, and which settings of one technique are another.
 
 #include "realtime/manifest/technique.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The techniques against closed forms: without these a wrong penumbra could pass as plausible.
 
 #include "tests/gpu/technique_fixture.h"

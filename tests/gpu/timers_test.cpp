@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these, a time could be that of another clock, another pass or another frame.
 
 #include "realtime/harness/timers.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tests/gpu/twin_runner.h"
 
 #include "realtime/harness/objects.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Runs a GLSL expression over a list of inputs on the GPU, to compare library functions with their C++ twins.
 

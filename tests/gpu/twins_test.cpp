@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A shader and its C++ twin that disagree would make every measured difference meaningless.
 
 #include "core/sampling/patterns.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // How a reference picture is put to the test against a known answer, with nothing but its own error bars.
 

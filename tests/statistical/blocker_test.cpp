@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Blocker distance and layers explain errors later; a wrong one would blame the wrong cause.
 
 #include "tests/statistical/agreement.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The cube that other renderers are timed on: its closed form against exact arithmetic, and the reference against it.
 
 #include "reference/exact/box_visibility.h"

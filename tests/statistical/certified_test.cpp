@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The stated error bars of real scenes, held against exact arithmetic: where no closed form can look, an interval could be
 // too small, or stopping early could pull the picture to one side, unnoticed. More points: docs/truth.md.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these the reference could be wrong by a factor in a penumbra and nothing else would notice.
 
 #include "tests/statistical/agreement.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A 95 % interval that holds the truth in 80 % of the pixels is a lie, and one that holds it in 99.9 % wastes rays.
 
 #include "reference/interval.h"

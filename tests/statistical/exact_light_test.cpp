@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Two ways to the same exact answer: all triangles united, and only the edges around the shadow of the near ones.
 
 #include "reference/exact/exact_light.h"

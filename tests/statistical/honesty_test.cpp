@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The error bars, the two halves and the stopping rule: without these, verdicts built on them mean nothing.
 
 #include "core/error.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What must not change a shadow: where a scene stands, how big it is, which hand it has, how its surfaces are cut up.
 
 #include "tests/statistical/agreement.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tests/statistical/known_scenes.h"
 
 #include <algorithm>

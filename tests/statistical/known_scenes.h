@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Nine scenes whose visibility is known at every point of the floor, three of them made to fool a sampler: a wire, a comb of
 // slits and a pin-hole.

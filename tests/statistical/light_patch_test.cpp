@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The fast many-ray sampler must be the light of scenes/light.h, sample by sample.
 
 #include "reference/shadow_rays.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A proof that is wrong once is a guess: rays are shot all the same, and the pictures must be equal to the bit.
 
 #include "reference/ray_budget.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The proofs' own tree must not make large scenes too large: all that the reference holds, beside Embree alone.
 
 #include "reference/embree_scene.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Relations that need no known answer, on scenes no closed form covers.
 
 #include "tests/statistical/agreement.h"

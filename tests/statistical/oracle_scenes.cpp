@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tests/statistical/oracle_scenes.h"
 
 #include "tests/statistical/agreement.h"

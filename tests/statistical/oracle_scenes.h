@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Scenes whose visibility is known in closed form at every point of the floor y = 0, lights straight above.
 

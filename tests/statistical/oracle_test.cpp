@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Random clutter has no closed form; exact arithmetic has the answer.
 
 #include "reference/exact/exact_visibility.h"

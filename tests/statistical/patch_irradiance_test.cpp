@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The fast quadrature must be the light's own irradiance, and where the horizon cuts the light that of scenes/light.h, which
 // real-time renderers are held to.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these tests a width could be right on a painted floor and wrong on a rendered one.
 
 #include "tests/support/procedural_scene.h"

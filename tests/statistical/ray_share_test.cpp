@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What adaptive sampling is for: the same error with a fraction of the rays. The measurement at full size is bench_truth share.
 
 #include "reference/ray_budget.h"

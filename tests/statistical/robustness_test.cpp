@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // No surface may shadow itself and no light may leak through a closed one, at any size and place.
 
 #include "tests/statistical/agreement.h"

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """browser.py PAGE STEPS.json PROFILE_FOLDER: opens PAGE in headless Chromium and takes the steps, real key presses included.
 
 A step is {"eval": JS}, {"key": "ArrowRight"}, {"tabs": COUNT}, {"click" | "hover": SELECTOR}, {"drag" | "swipe": SELECTOR, "by": [dx, dy]},

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Small scenes in code, for tests whose answer is known in closed form. y is up.
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """repeat_results.py FOLDER SCENES RUNS: makes results.json name SCENES scenes of RUNS runs each by repeating those it has.
 
 The pictures are shared, so a large results folder costs nothing to make; the report packs each run's pixels all the same.

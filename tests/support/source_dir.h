@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Where the sources are that tests read. Only source_dir.cpp is compiled with the path.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The camera as rays through pixel centres, and the triangles as they stand in memory.
 // Scaled view space: x and y divided by the tangents of the half field of view, z the distance along the view
 // axis, so that x/z and y/z are normalised device coordinates.

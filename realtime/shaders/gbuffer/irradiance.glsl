@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Irradiance of the whole light with nothing in its way: the mean of scenes/light.h LightSample::irradiance_weight in
 // the measure that geometric visibility averages over, by Gauss quadrature over the part above the receiver's horizon.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Twin of scenes/near_light.h: irradiance from lights that are near for their size, in closed form.
 
 bool is_near_light(vec3 p_world) {

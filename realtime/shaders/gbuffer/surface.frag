@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Position, normals and unshadowed irradiance of the triangle each pixel shows.
 #include "camera.glsl"
 #include "irradiance.glsl"

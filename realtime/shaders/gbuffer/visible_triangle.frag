@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which triangle the ray through the pixel's centre hits first: the watertight test of Woop, Benthin, Wald,
 // "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013, section 3.2, with the ray as the z axis.
 #include "camera.glsl"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pulls triangles and makes each a little larger on screen, so that the rasteriser, which snaps vertices to a grid,
 // offers every pixel whose centre the triangle may cover. The fragment shader decides exactly.
 #include "camera.glsl"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The light as a set of rays from a receiver, for kernels shaped like the light. Needs a view from the light's
 // centre (light space = the light's own frame).
 #include "receiver.glsl"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The mean distance of what blocks a receiver's view of the light (Fernando 2005), for techniques with the parameters
 // of the group blocker_search. Reads the resource shadow_map, or its halved copy nearest_2 where there is one.
 #include "light_kernel.glsl"

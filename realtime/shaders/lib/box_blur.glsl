@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One axis of a separable box of real-valued width over the texels of a map.
 #include "box_filter.glsl"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A box of real-valued width over texels.
 
 /// Length of [low, high] inside the texel [index, index + 1]; all of the texel for a box of no width.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Percentage-closer filtering (Reeves, Salesin and Cook 1987) with a box of real-valued width: texels at the
 // border count by the part of them that the box covers.
 #include "box_filter.glsl"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reading a level of a mask whose texels hold the most of all those below them.
 
 /// The most that the four texels of a level around a place hold, all of what a bilinear read would blend: whatever lies

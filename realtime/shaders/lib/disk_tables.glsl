@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Point sets on the unit disk, 64 each. Written by scripts/disk_tables.py, checked by tests/gpu.
 
 // const: thrown darts; a prefix keeps the distance but leaves holes

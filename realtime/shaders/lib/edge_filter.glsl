@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Edges of a shadow map: the Laplacian of its distances, which is 0 on planes and about the height of a step beside
 // it. For techniques with the parameters of the group edge_filter.
 #include "shadow_map.glsl"

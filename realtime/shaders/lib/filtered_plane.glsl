@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The receiver's own plane inside a filter, for techniques with the parameter plane_bias of the group
 // filtered_plane. Where a surface ends at a concave edge the filter holds its nearer half and, beyond the edge, distances
 // about the receiver's: less than the receiver, yet no blocker. A blocker is nearer than min(plane, receiver).

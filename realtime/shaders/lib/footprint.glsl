@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a pixel covers of a light's map. From the receiver's plane, not from neighbouring pixels: those may show another
 // surface.
 #include "spaces.glsl"

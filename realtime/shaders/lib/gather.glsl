@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Four comparisons a fetch. Gathered texels are compared one by one, each at its own centre, as single reads are.
 #include "shadow_map.glsl"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // As light_map.vert, with the distance itself: stored depth ends at the far plane, filters look past it.
 layout(location = 0) in vec3 p_world;
 out float distance_world;

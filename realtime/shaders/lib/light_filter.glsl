@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The share of the light's points whose rays pass the map, for techniques with the parameters of the group
 // light_filter.
 #include "light_kernel.glsl"

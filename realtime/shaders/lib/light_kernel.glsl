@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Taps over the light's shape, for techniques with the parameters of the group light_filter.
 #include "area_light.glsl"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One level of a mask's mip chain: a texel holds the most of the four below it. Averages of bilinear reads, clamped to
 // on above 0, as published, say the same.
 

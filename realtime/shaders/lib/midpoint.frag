@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The middle between the two nearest layers (Woo 1992); a lone layer lies a texel deeper.
 #include "spaces.glsl"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Moments of the distances a filter covers, and what they say about a receiver behind them.
 // Distances here are linear and normalised: 0 at the view's near plane, 1 behind the far one, where nothing is.
 #include "spaces.glsl"

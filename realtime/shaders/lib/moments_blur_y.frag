@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Second half of the box filter over the resource `moments`; beyond the map is nothing: far.
 #include "box_blur.glsl"
 

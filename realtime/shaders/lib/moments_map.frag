@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Mean and mean square of the distances in a texel, from a light view.
 #include "texel_variance.glsl"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Coarser copies of a depth map that keep the nearest.
 
 /// Nearest (greatest reversed) depth of `side` by `side` texels of `map`, those of the coarse texel `cell`.

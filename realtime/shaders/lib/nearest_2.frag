@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The nearest depth in cells of 2 by 2 texels of the shadow map.
 #include "nearest.glsl"
 

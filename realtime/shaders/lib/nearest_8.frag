@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The nearest depth in cells of 8 by 8 texels of the shadow map.
 #include "nearest.glsl"
 

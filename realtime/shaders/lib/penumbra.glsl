@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where search and filter taps read the map: on the rays to the light, or by the squared curve of the group
 // penumbra_curve, for techniques that have it.
 #include "area_light.glsl"

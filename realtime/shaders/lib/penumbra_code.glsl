@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A mean blocker distance as a number that blurs and interpolates: the width of the penumbra, 0 at the contact, 1 for
 // the widest that the view can hold (physical) or squared_radius_world (squared).
 #include "penumbra.glsl"

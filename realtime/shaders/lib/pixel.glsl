@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // This pixel's surface point and its noise, for fullscreen passes that read gbuffer.position and gbuffer.normal and
 // see the view `light`, in techniques with the parameters of the group bias_offsets.
 #include "receiver.glsl"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The shaded point as a shadow map sees it, and the depth a tap is compared with (the biases).
 #include "spaces.glsl"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Point patterns, the GLSL side of core/sampling/patterns.h.
 
 const float kGoldenAngleRad = 2.399963229728653;  // const: pi (3 - sqrt 5)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How far from the receiver blockers can be, from coarse maps of the nearest depth in their cells: a caster near the
 // light widens the search only where it stands. For techniques with the parameter search_shrink.
 #include "penumbra.glsl"

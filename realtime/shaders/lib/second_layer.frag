@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Keeps the second surface along each texel's ray: peels off the nearest one and what lies on it.
 #include "spaces.glsl"
 

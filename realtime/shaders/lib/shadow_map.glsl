@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reading a shadow map: which texel, how far its surface is, whether it blocks.
 #include "receiver.glsl"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The light's depth, pushed away by the surface's own slope across a texel.
 #include "spaces.glsl"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Spaces of the light and the screen, the GLSL side of core/spaces.h and docs/conventions.md.
 // Light space: x tangent, y bitangent, z distance along the light's direction. Lateral coordinates: x/z, y/z
 // (perspective) or x, y in world units (orthographic).

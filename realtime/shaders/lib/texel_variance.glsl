@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a texel of a light view covers in distance, for techniques with the parameter texel_variance.
 #include "moments.glsl"
 

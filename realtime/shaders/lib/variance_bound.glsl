@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A receiver behind filtered moments, for techniques with the parameters of the group moments.
 #include "moments.glsl"
 #include "receiver.glsl"

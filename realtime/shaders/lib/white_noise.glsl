@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Noise without any pattern, from integers.
 
 /// Two values in [0,1) that belong to `key`: the first two of the hash pcg3d (Jarzynski and Olano 2020).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The uniform blocks every shader sees. Read by C++ and by GLSL, so: std140, members of 16 bytes only.
 // GLSL gets this text in its prelude (no #include here, no #version).
 #ifdef __cplusplus

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One light sample's share of the mean: a hard shadow map from that point of the light.
 #include "pixel.glsl"
 #include "shadow_map.glsl"

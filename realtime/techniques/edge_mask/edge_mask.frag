@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Percentage-closer filtering where the mask is on, one comparison elsewhere (Evans, Agenjo and Blat 2014).
 #include "box_pcf.glsl"
 #include "dilated_mask.glsl"

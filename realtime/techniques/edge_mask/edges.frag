@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where the shadow map has a step, before the mask is dilated.
 #include "edge_filter.glsl"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The band of every texel of the shadow map, before bands are dilated: 0 none, 1/3, 2/3, 1.
 #include "area_light.glsl"
 #include "edge_filter.glsl"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Percentage-closer filtering as wide as the highest band nearby says, one comparison without any (Evans, Agenjo and
 // Blat 2014).
 #include "box_pcf.glsl"

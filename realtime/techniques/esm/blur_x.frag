@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // First half of the box filter.
 #include "esm_filter.glsl"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Exponential shadow maps (Annen et al. 2008; Salvi 2008): the step of a comparison as exp(c (z - z_receiver)), which
 // is a product of what the map holds and what the receiver knows.
 #include "esm_filter.glsl"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What an exponential shadow map holds, and how such values are averaged.
 #include "box_filter.glsl"
 #include "moments.glsl"

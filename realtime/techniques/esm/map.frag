@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The exponential shadow map before its blur.
 #include "esm_filter.glsl"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Second half of the box filter; beyond the map is nothing: far.
 #include "box_blur.glsl"
 #include "exponential_warp.glsl"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Exponential variance shadow maps (Lauritzen and McCool 2008): Chebyshev's bound in two warped distances, the lower
 // one counts.
 #include "exponential_warp.glsl"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The two warps of exponential variance shadow maps.
 #include "moments.glsl"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Distance and its variance inside the texel; warped afterwards, because what clears the map must not depend on
 // the exponents.
 #include "texel_variance.glsl"

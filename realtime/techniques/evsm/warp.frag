@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Four moments of every texel.
 #include "exponential_warp.glsl"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Hard shadow map (Williams 1978): lit unless the map holds something nearer to the light.
 #include "pixel.glsl"
 #include "shadow_map.glsl"

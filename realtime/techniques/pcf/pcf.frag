@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Percentage-closer filtering with one box for all receivers.
 #include "box_pcf.glsl"
 #include "pixel.glsl"

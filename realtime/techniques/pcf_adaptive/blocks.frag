@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One block of the map. Any slope would do; that of the block's rims is exact where it holds a single plane.
 #include "blocks.glsl"
 

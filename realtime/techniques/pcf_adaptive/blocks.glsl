@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A block of the map: every stored depth in it lies between two parallel planes. Planes of the scene are planes in
 // stored depth too, so that a slanted floor is as thin as a level one.
 const int kBlockTexels = 16;  // const: as in the size of `blocks` in technique.toml

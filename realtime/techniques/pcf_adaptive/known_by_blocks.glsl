@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whether a square of texels must come out all lit or all blocked, by the blocks it touches. Conservative: what this
 // says, the comparisons would have said. Depths are reversed here, so nearer is larger, and linear in the map's
 // coordinates: what holds at the corners of a rectangle holds inside.

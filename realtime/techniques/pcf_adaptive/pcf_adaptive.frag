@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Percentage-closer filtering over jittered disks that differ from pixel to pixel of a tile, with an early way out
 // where no penumbra is expected, or possible.
 #include "pixel.glsl"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The table of taps: a row a set, a column a tap. Each set is a jittered grid of GRID_TAPS x GRID_TAPS, wrapped around
 // the disk so that equal areas stay equal: y becomes the squared radius, x the angle (Uralsky 2005).
 #include "sampling.glsl"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Percentage-closer filtering on a square grid of taps, each a single comparison or a bilinear blend of four.
 #include "pixel.glsl"
 #include "shadow_map.glsl"

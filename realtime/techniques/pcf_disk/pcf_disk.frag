@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Percentage-closer filtering over a disk of texels: three patterns of taps, turned from pixel to pixel or not.
 #include "disk_tables.glsl"
 #include "pixel.glsl"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Percentage-closer filtering with a box of a whole number of texels, read four texels a fetch.
 #include "box_filter.glsl"
 #include "gather.glsl"

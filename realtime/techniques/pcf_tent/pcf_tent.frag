@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Percentage-closer filtering with a tent, two weighted texels a side in each fetch.
 #include "gather.glsl"
 #include "pixel.glsl"

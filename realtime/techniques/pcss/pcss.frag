@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Percentage-closer soft shadows (Fernando 2005) with kernels shaped like the light: search for blockers, place a
 // plane at their mean distance, and ask the map along the rays from the receiver through that plane to the light.
 #include "blocker_search.glsl"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Computed pixels as they are; the others from their computed neighbours, those at the same distance most.
 #include "pattern.glsl"
 

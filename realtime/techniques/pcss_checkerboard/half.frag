@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pcss at the computed pixels, packed.
 #include "blocker_search.glsl"
 #include "light_filter.glsl"

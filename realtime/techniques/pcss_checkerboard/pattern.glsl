@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which pixels are computed, and where they are packed. Pixels count rows from the top, as images do.
 
 /// Rows a computed row stands for.

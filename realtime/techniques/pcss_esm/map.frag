@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // exp(c (z - 1)) instead of exp(c z): empty texels hold 1 and c = 80 stays inside a float's range at both ends.
 #include "moments.glsl"
 

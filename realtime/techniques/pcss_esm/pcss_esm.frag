@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Percentage-closer soft shadows whose filter averages exponentials: the blocker search of pcss, then the mean of
 // exp(c (z - z_receiver)) over the penumbra (Fernando 2005; Annen et al. 2008).
 #include "blocker_search.glsl"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Mean of 3 x 3 nearest distances: the lumps a minimum leaves, softened.
 #include "spaces.glsl"
 

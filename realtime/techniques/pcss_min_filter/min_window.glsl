@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The window whose nearest distance stands for the blockers.
 #include "area_light.glsl"
 

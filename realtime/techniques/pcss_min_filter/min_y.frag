@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Second half of the minimum over the window.
 #include "min_window.glsl"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The filter of pcss for a blocker distance that was prepared in the map (Sterna 2018, 2.3).
 #include "light_filter.glsl"
 #include "light_kernel.glsl"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Percentage-closer soft shadows whose filter averages moments: the blocker search of pcss, then Chebyshev's bound for
 // the mean of the moments over the penumbra (Fernando 2005; Donnelly and Lauritzen 2006).
 #include "blocker_search.glsl"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The width of the penumbra at the pixel in the middle of each texel (Sterna 2018, 2.2).
 #include "blocker_search.glsl"
 #include "light_kernel.glsl"

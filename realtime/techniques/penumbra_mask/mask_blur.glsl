@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One axis of the seven-tap Gaussian.
 #include "mask_value.glsl"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One axis of the 7 x 7 maximum.
 #include "mask_value.glsl"
 

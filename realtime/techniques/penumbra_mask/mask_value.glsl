@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The mask: r = penumbra times weight, g = weight. A pixel without blockers has weight 0, or the penumbra that
 // mask_default says.
 #include "penumbra_code.glsl"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Second half of the maximum.
 #include "mask_max.glsl"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The filter of pcss as wide as the mask says.
 #include "light_filter.glsl"
 #include "light_kernel.glsl"

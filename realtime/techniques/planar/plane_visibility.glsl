@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "projection.glsl"
 
 /// What the projection in `lit` says about this pixel: 1 off the plane, which it does not know; 0 behind the surface.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "projection.glsl"
 
 layout(location = 0) in vec3 p_world;

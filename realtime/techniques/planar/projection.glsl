@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The projection of casters onto frame.receiver_plane_world from a view's own point (Blinn 1988), as seen by the camera.
 
 #include "spaces.glsl"

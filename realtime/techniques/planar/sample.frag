@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One light sample's share of the mean.
 #include "plane_visibility.glsl"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Variance shadow maps (Donnelly and Lauritzen 2006) over a map that was blurred once.
 #include "filtered_plane.glsl"
 #include "footprint.glsl"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Variance shadow maps whose moments are averaged by each pixel that asks, over a grid of bilinear reads.
 #include "filtered_plane.glsl"
 #include "pixel.glsl"

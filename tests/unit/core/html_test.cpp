@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these tests a scene's title could run as script in a page.
 
 #include "core/html.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without this a store would keep equal images twice, and parts of a sweep would differ from the whole.
 
 #include "tests/support/temporary_folder.h"

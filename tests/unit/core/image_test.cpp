@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these: a damaged file could be read as zeros, or a failed write could leave half a file.
 #include "core/error.h"
 #include "core/files.h"

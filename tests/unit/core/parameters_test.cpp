@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these: a value outside its range, or of the wrong type, could reach a shader.
 #include "core/parameters.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these: a pattern could lose its stratification, or two seeds could give correlated sets.
 #include "core/sampling/patterns.h"
 #include "core/sampling/sobol.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these: a sign or a row flip could hide in both renderers at once.
 #include "core/spaces.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these: a misspelt key could silently measure the default, or a message could lose its place.
 #include "core/toml.h"
 

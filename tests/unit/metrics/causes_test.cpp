@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these a coarse map, a banded filter and a noisy one would look alike.
 #include "metrics/causes.h"
 

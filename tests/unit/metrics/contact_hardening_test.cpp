@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these, a filter of constant width could pass for contact hardening.
 #include "metrics/contact_hardening.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these, a benign penumbra could be called a fault, or a leak three pixels wide pass as none.
 #include "metrics/envelope.h"
 

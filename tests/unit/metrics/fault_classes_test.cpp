@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these, errors of real pictures would end in the wrong class: a coarse map called a leak, moire an extra
 // shadow, an eaten contact shadow a lost object.
 #include "fault_scene.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A floor with everything the fault classes ask for, from straight above: 256 x 128 px of 0.01, lit until a test
 // says otherwise.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these, a light leak could be called acne, or a wrong softness a leak.
 #include "metrics/faults.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these, the second opinion on the lit picture could be of another formula.
 #include "metrics/flip.h"
 

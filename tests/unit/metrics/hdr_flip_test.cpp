@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these, the exposures of HDR-FLIP, or the roots and powers under FLIP, could be others than written.
 #include "core/error.h"
 #include "core/statistics.h"

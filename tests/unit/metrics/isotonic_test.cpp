@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these, every width could be off by a constant.
 #include "metrics/isotonic.h"
 

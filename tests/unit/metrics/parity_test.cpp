@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these, a comparison of two renderers that see different surfaces could be scored.
 #include "metrics/parity.h"
 

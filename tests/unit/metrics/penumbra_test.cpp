@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these, a width error could be an artefact of the walk, the fit or the view.
 #include "metrics/penumbra.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these, a metric could depend on the scene's unit or on which picture came first, or read past a smaller one.
 #include "metrics/causes.h"
 #include "metrics/moire.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these, noise could be called a fault, or a fault noise.
 #include "metrics/significance.h"
 

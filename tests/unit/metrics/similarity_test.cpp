@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these, PSNR or SSIM could be of another range or window than readers assume.
 #include "metrics/similarity.h"
 

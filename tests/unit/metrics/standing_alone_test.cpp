@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Acne and leaks close to a shadow must not hide behind its penumbra; a penumbra that is wider must not be called either.
 #include "metrics/standing_alone.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Frames of a floor whose visibility is a closed form of the floor point, for testing metrics.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these a still picture could flicker, or a flickering one pass for still.
 #include "metrics/temporal.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these a reference whose halves are not independent, or that samples one point of the light, could be believed.
 
 #include "metrics/truth_check.h"

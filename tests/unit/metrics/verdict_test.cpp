@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these, a verdict could rest on noise, or never be reached.
 #include "metrics/verdict.h"
 

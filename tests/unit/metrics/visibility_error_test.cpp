@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these, an error could come from the reference's own noise, or an interval could promise too much.
 #include "metrics/visibility_error.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these a triangle that GL would draw a part of could be left out of a shadow map.
 
 #include "realtime/views/casters.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these, a size or a condition of a manifest could silently mean something else than it says.
 
 #include "realtime/manifest/expression.h"

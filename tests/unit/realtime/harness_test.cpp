@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these, a light would reach the shaders with the wrong size.
 
 #include "realtime/harness/frame_uniforms.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these a shadow map could silently miss receivers or casters, or disagree with the depth maths.
 
 #include "realtime/views/light_view.h"

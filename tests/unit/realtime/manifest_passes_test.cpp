@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What passes read, write and draw must fit together before anything is drawn.
 
 #include "tests/unit/realtime/whole_manifest.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these, a slip in a technique's folder would be measured instead of reported.
 
 #include "tests/unit/realtime/whole_manifest.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a map covers decides its resolution and what is lost at its rim.
 
 #include "realtime/views/camera_tiles.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these, shadow maps would be fitted to something else than what the camera sees.
 
 #include "realtime/executor/receivers.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these a renderer could draw again what it has, or hold more memory than it may.
 
 #include "realtime/recently_used.h"

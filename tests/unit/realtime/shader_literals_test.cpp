@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A number buried in a shader is a parameter nobody can sweep: each needs its reason on the same or the line
 // before.
 

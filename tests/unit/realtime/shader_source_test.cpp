@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these, an #include could be read twice, in a circle, or from the wrong folder, and a driver's log
 // be attributed to a line that is not the user's.
 

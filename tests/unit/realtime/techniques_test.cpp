@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Groups of parameters, what a technique is found by, and how its parameters get their values.
 
 #include "tests/support/source_dir.h"

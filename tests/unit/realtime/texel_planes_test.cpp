@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without this an error could be told by the wrong texel.
 #include "realtime/executor/texel_planes.h"
 

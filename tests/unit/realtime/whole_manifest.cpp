@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tests/unit/realtime/whole_manifest.h"
 
 #include "core/error.h"

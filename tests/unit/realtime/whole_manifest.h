@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A manifest with one of everything, and what becomes of it after a slip.
 

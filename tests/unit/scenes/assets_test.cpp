@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these: the real models could stop loading, or lose triangles, unnoticed.
 #include "core/files.h"
 #include "scene_text.h"

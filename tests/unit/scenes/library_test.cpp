@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these: a built-in scene could be broken, or its documented geometry could differ from its file.
 #include "scene_text.h"
 #include "tests/support/temporary_folder.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these: a light could have the wrong size (radius for diameter), side or falloff in both renderers
 // alike.
 #include "scenes/light.h"

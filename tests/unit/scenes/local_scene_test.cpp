@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these: a scene far from the origin is moved inexactly, or every scene is moved.
 #include "scenes/local_scene.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these: triangles that no two renderers agree about would stay, or good ones would go.
 #include "core/files.h"
 #include "scene_text.h"

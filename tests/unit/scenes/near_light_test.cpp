@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these: a receiver close to a large light gets an irradiance that is wrong, or negative.
 #include "scenes/near_light.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these: a broken model could load as a smaller or different one, and its shadows would be measured.
 #include "scenes/obj/load_obj.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these: a bad scene file could load as something else, or fail with a message that helps nobody.
 #include "scene_text.h"
 

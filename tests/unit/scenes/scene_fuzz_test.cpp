@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without this: some damaged scene file could crash the program, hang it, or be taken for our own bug.
 #include "scene_text.h"
 #include "scenes/obj/load_obj.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Scene documents for tests: a valid one whose tables can be replaced one by one.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these: a scene could be drawn from the wrong place, mirrored, or with a light that looks elsewhere.
 #include "scene_text.h"
 #include "scenes/seen_from.h"

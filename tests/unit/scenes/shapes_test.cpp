@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these: an oracle scene's caster could have the wrong size, or a solid could be inside out or open.
 #include "scenes/shapes.h"
 

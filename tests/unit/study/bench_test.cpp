@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these, a run could be called dominated inside the noise, a question be answered with the wrong run, or a
 // paper be contradicted by a slip.
 

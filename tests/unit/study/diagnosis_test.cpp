@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these tests a leak could be reported as another fault, or a missing channel could cost the score.
 
 #include "study/diagnosis.h"

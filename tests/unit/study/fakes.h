@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Renderers that return pictures with a known error, so that a study can be checked without GL or Embree.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these, a time could be the median of other numbers, or an interval narrower than its promise.
 
 #include "study/frame_times.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these the gate could pass a fault, name the wrong one, or alarm at what the baseline has anyway.
 
 #include "study/gate.h"

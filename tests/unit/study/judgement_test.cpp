@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these a verdict could name the wrong baseline, get lost on its way to the user, or be computed unasked.
 
 #include "study/judgement.h"

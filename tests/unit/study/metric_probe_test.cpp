@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these a broken error metric could be believed.
 
 #include "study/metric_probe.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these tests a map could lie about its scale.
 
 #include "study/pictures.h"

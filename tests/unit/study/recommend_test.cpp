@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these a recommendation could rest on a run that was never timed, or on one lucky scene.
 
 #include "study/recommend.h"

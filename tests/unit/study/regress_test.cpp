@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these, a regression could forget numbers on their way through its file, fail without a reason, or pass with one.
 
 #include "core/error.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these tests the page could break in a browser: scripts that fail, numbers that are not those of
 // results.json, a table that cannot be sorted, a layout wider than a narrow screen.
 

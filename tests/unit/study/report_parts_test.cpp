@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these tests the report could show other numbers of bench, stress and regress than their files, leave a section out, or
 // lose its map to the keyboard.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these tests the page could show other pixels than those that were measured, or put them where a page opened
 // from disk cannot reach them.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these tests a scene's title could run as script, a picture could be missing, or the page could ask
 // the network for something.
 

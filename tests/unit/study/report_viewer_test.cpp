@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these tests the viewer could open to an error, ignore its keys, show other numbers than results.json and the
 // metrics, or not fit a narrow screen. A real browser opens the page from disk and gets real key presses.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A report opened from disk in a real browser that gets real keys and pointers.
 

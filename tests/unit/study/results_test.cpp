@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these tests a number could be lost or changed on its way through results.json.
 
 #include "study/results_json.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these a sample could leave out a part of a parameter's range, or differ from one machine to the next.
 
 #include "study/study_file.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these tests an image of another engine could be scored by the wrong channel.
 
 #include "study/score.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these tests FLIP, SSIM and PSNR could be of another picture than the lit one.
 
 #include "study/similarity.h"

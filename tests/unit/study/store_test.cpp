@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these a store could serve an altered picture, lose what another process wrote, or be lost to one bad page.
 
 #include "tests/support/temporary_folder.h"

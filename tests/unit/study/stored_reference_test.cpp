@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these a bench or a tuner could render a truth that is known, or take another camera's, another size's or a damaged
 // one for its own.
 

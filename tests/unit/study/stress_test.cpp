@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these a stress run could call noise a break, name the wrong value, or lose what happened before a crash.
 
 #include "study/stress/axes.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these, a study with a slip would measure something else than it says.
 
 #include "study/study_file.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these a sweep could show a number of another scene, repeat work, or lose the runs after one that fails.
 
 #include "tests/support/temporary_folder.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these a sequence could stand still, jump by whole texels, or leave the results.
 #include "study/temporal.h"
 

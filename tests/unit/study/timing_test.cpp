@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these, one run's frames could all fall into another program's busy minute, or a slow run take the hour.
 
 #include "study/timing.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these, a tuner could prefer what it cannot measure, promise a window that is not there, learn from the cameras it
 // is judged on, or write down other numbers than it measured.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these a validation could render what it knows, take another setting's result for its own, remember a failure of
 // the machine, or score twins differently.
 

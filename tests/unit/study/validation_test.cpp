@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without these tests a failing run could take the others down, a wrong truth could be scored, or a number
 // could be attached to the wrong technique.
 
