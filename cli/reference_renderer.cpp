@@ -5,6 +5,8 @@
 
 namespace umbrameter {
 
+const char* const kReferenceMaker = "Embree " UMBRAMETER_EMBREE_VERSION;
+
 std::unique_ptr<Renderer> open_reference_renderer(const GlobalOptions& options, const PictureQuality& picture,
                                                   bool skip_proven) {
   return make_reference_renderer({.samples_per_pixel = picture.samples_per_pixel,

@@ -11,7 +11,7 @@
 namespace umbrameter {
 
 /// Who makes truths, as keys of the store have it (study/store/keys.h).
-inline constexpr const char* kReferenceMaker = "Embree " UMBRAMETER_EMBREE_VERSION;
+extern const char* const kReferenceMaker;
 
 /// `skip_proven`: as in reference/reference.h.
 std::unique_ptr<Renderer> open_reference_renderer(const GlobalOptions& options, const PictureQuality& picture,
