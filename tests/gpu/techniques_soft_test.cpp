@@ -106,6 +106,21 @@ TEST(pcss, filter_cone_keeps_a_plane_lit_without_any_bias) {
   EXPECT_GT(cone, plain);
 }
 
+TEST(soft, light_size_scale_is_the_width_of_the_light_that_kernels_follow) {
+  UMBRAMETER_REQUIRE_GL();
+  // A light of 1 taken for half as wide and one of 0.4 taken for two and a half times as wide: the truth under a light of
+  // that width.
+  for (const LightType type : kLightTypes) {
+    for (const auto& [size, scale] : {std::pair(1.0, 0.5), std::pair(0.4, 2.5)}) {
+      const Light taken_for = light_at_4(type, size * scale);
+      const ErrorSummary error = floor_error(
+          render(half_plane_scene(light_at_4(type, size)), "pcss", many_taps({{"light_size_scale", scale}})),
+          [&](const glm::dvec3& p) { return half_plane_visibility(taken_for, p); });
+      EXPECT_LE(error.rmse, 0.01) << to_text(type) << " " << scale;
+    }
+  }
+}
+
 TEST(pcss, the_squared_curve_is_as_wide_as_its_formula) {
   UMBRAMETER_REQUIRE_GL();
   // Floor 4 and edge 2.5 from the light: 0.5 min(1, 1 ((4 - 2.5) / 2.5)^2) = 0.18 to each side of the edge's

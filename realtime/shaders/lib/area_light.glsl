@@ -13,8 +13,6 @@ struct AreaLight {
   vec2 half_extent;  // FrameData.light_extent.xy
 };
 
-AreaLight frame_light() { return AreaLight(frame.light_type.x, frame.light_extent.xy); }
-
 /// Point `index` of `count` over the light: the square [-1,1]^2 for rect, the unit disk otherwise. `noise` in
 /// [0,1)^2 shifts the square (Cranley and Patterson 1976) or turns the disk.
 vec2 kernel_point(AreaLight light, int index, int count, vec2 noise) {

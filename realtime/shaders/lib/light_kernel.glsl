@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Taps over the light's shape, for techniques with the parameters of the group light_filter.
-#include "area_light.glsl"
+#include "kernel_light.glsl"
 
 /// Turns or shifts a kernel from pixel to pixel.
 vec2 kernel_noise(vec2 p_px) {

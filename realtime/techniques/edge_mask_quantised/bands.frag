@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The band of every texel of the shadow map, before bands are dilated: 0 none, 1/3, 2/3, 1.
-#include "area_light.glsl"
 #include "edge_filter.glsl"
+#include "kernel_light.glsl"
 
 /// Width, in texels, of the box whose filter is the penumbra of a step between two distances: the light's width seen
 /// through the step, W (1/z_near - 1/z_far) in tan space, 2 tan a (z_far - z_near) under a sun (TECHNIQUES 2.11, 2.12).
 float penumbra_texels(LightViewData view, float z_near, float z_far) {
-  vec2 half_extent = frame.light_extent.xy;
+  vec2 half_extent = kernel_light().half_extent;
   float share = frame.light_type.x == kRect ? 1.0 : 0.9;  // const: half width of the box that is most like a unit disk
   float width = 2.0 * share * sqrt(half_extent.x * half_extent.y);
   float spread = is_orthographic(view) ? z_far - z_near : 1.0 / z_near - 1.0 / z_far;

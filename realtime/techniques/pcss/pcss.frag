@@ -7,7 +7,7 @@
 #include "search_bound.glsl"
 
 float visibility_of(Receiver receiver) {
-  AreaLight light = frame_light();
+  AreaLight light = kernel_light();
   vec2 noise = kernel_noise(noise_position());
   float z_search = nearest_blocker_bound(light, receiver);
   float z_blocker = mean_blocker_distance(light, receiver, noise, z_search);

@@ -8,7 +8,7 @@
 #include "search_bound.glsl"
 
 float visibility_of(Receiver receiver, vec2 noise) {
-  AreaLight light = frame_light();
+  AreaLight light = kernel_light();
   float z_blocker = mean_blocker_distance(light, receiver, noise, nearest_blocker_bound(light, receiver));
   return visible_share(light, receiver, z_blocker, z_blocker < receiver.p_light.z, noise);
 }

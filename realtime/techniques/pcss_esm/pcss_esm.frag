@@ -42,7 +42,7 @@ float filtered_visibility(AreaLight light, Receiver receiver, float z_blocker, v
 }
 
 float visibility_of(Receiver receiver) {
-  AreaLight light = frame_light();
+  AreaLight light = kernel_light();
   vec2 noise = kernel_noise(noise_position());
   float z_blocker = mean_blocker_distance(light, receiver, noise, view_light.depth_range.x);
   return filtered_visibility(light, receiver, z_blocker, noise);

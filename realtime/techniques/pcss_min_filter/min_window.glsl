@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The window whose nearest distance stands for the blockers.
-#include "area_light.glsl"
+#include "kernel_light.glsl"
 
 const float kCellTexels = 4.0;  // const: texels a side of a cell of nearest_4
 
@@ -11,7 +11,7 @@ ivec2 window_radius_cells(LightViewData view) {
   vec2 range_world = view.depth_range.xy;
   float width = is_orthographic(view) ? range_world.y - range_world.x : 1.0 / range_world.x - 1.0 / range_world.y;
   vec2 cell = kCellTexels / view.depth_range.w * (view.lateral_bounds.zw - view.lateral_bounds.xy);
-  return ivec2(ceil(width * frame_light().half_extent / cell));
+  return ivec2(ceil(width * kernel_light().half_extent / cell));
 }
 
 /// Nearest (greatest reversed) depth within `radius` cells along `axis`.

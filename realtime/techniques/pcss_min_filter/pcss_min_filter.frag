@@ -8,7 +8,7 @@ float visibility_of(Receiver receiver) {
   vec2 uv = texel_position(view_light, receiver.lateral) / view_light.depth_range.w;
   bool has_blocker = !is_behind(view_light, receiver);
   float z_blocker = min(texture(blocker, uv).r, receiver.p_light.z);
-  return visible_share(frame_light(), receiver, z_blocker, has_blocker, kernel_noise(noise_position()));
+  return visible_share(kernel_light(), receiver, z_blocker, has_blocker, kernel_noise(noise_position()));
 }
 
 void main() {

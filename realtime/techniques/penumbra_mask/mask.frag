@@ -7,7 +7,7 @@
 #include "search_bound.glsl"
 
 vec2 mask_of(Receiver receiver, vec2 noise) {
-  AreaLight light = frame_light();
+  AreaLight light = kernel_light();
   light.half_extent *= search_scale;
   float z_blocker = mean_blocker_distance(light, receiver, noise, nearest_blocker_bound(light, receiver));
   if (z_blocker >= receiver.p_light.z) return default_value();

@@ -10,7 +10,7 @@ float visibility_of(Receiver receiver) {
   bool has_blocker = read.g > 0.0 && !is_behind(view_light, receiver);
   float z_receiver = receiver.p_light.z;
   float z_blocker = has_blocker ? blocker_distance_of(view_light, z_receiver, read.r / read.g) : z_receiver;
-  return visible_share(frame_light(), receiver, z_blocker, has_blocker, kernel_noise(noise_position()));
+  return visible_share(kernel_light(), receiver, z_blocker, has_blocker, kernel_noise(noise_position()));
 }
 
 void main() {
