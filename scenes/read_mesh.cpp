@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scenes/read_mesh.h"
 
+#include "scenes/file_ending.h"
 #include "scenes/obj/load_obj.h"
 #include "scenes/read_shape.h"
 #include "scenes/read_values.h"
@@ -90,7 +91,7 @@ void apply(const Transform& transform, MeshData& mesh) {
 
 fs::path require_mesh_file(const TomlReader& reader, const std::string& name, const fs::path& folder,
                            const SceneSearch& search) {
-  if (!name.ends_with(".obj") && !name.ends_with(".obj.zst")) {
+  if (!has_ending(name, ".obj") && !has_ending(name, ".obj.zst")) {
     reader.fail("file", fmt::format("mesh file '{}' has an unknown format", name),
                 "'.obj' and '.obj.zst' are read");
   }

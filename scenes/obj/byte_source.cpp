@@ -2,6 +2,7 @@
 #include "scenes/obj/byte_source.h"
 
 #include "core/error.h"
+#include "scenes/file_ending.h"
 
 #include <zstd.h>
 
@@ -78,7 +79,7 @@ class ZstdSource final : public ByteSource {
 }  // namespace
 
 std::unique_ptr<ByteSource> open_bytes(const std::filesystem::path& path) {
-  if (path.extension() == ".zst") return std::make_unique<ZstdSource>(path);
+  if (has_ending(path.string(), ".zst")) return std::make_unique<ZstdSource>(path);
   return std::make_unique<FileSource>(path);
 }
 

@@ -17,9 +17,9 @@ struct ObjFilter {
   std::vector<std::string> exclude;
 };
 
-/// Reads `path`. Polygons are triangulated. `vn` become shading normals when every kept corner has one that
-/// is not zero, else they are dropped with a note in `warnings`. Triangles are grouped into one part per
-/// material (else group, else object), in order of appearance. Vertices no triangle uses may remain.
+/// Reads `path`. Polygons are triangulated. `vn` become shading normals; triangles without three usable ones keep their
+/// own normal. Triangles are grouped into one part per material (else group, else object), in order of appearance.
+/// Vertices no triangle uses may remain. What is odd but clear is repaired (obj_repairs.h), counted in `warnings`.
 /// Error{input} naming the file and, where there is one, the line: unreadable or truncated file, not an OBJ,
 /// numbers not finite, indices of vertices not defined above, no faces, more than kMaxTriangles triangles, a
 /// filter name that is not in the file.

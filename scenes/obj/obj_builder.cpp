@@ -29,12 +29,49 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+glm::dvec3 unnormalised_normal(const MeshData& mesh, const glm::uvec3& triangle) {
+  const glm::dvec3& a = mesh.positions[triangle.x];
+  return glm::cross(mesh.positions[triangle.y] - a, mesh.positions[triangle.z] - a);
+}
+
+/// How a triangle's normals at its corners lie to its own.
+enum class Shading { flat, smooth, unusable };
+
+/// Unusable: none, or one in the triangle's plane, which has no side. A triangle without area is dropped later.
+Shading shading_of(const glm::dvec3& own, const std::vector<glm::dvec3>& normals, const glm::uvec3& indices) {
+  constexpr double kInPlane = 1e-6;     // cosine
+  constexpr double kSame = 1.0 - 1e-7;  // cosine; files hold four digits
+  bool is_flat = true;
+  for (int c = 0; c < 3; ++c) {
+    if (indices[c] == kNoNormal || !can_normalize(normals[indices[c]])) return Shading::unusable;
+    if (!can_normalize(own)) continue;
+    const double cosine = std::abs(glm::dot(glm::normalize(own), glm::normalize(normals[indices[c]])));
+    if (cosine < kInPlane) return Shading::unusable;
+    is_flat &= cosine > kSame;
+  }
+  return is_flat ? Shading::flat : Shading::smooth;
+}
+
+/// Gives triangle `t` three vertices of its own with its geometric normal.
+void split_flat_triangle(MeshData& mesh, size_t t, std::vector<glm::dvec3>& positions) {
+  const glm::dvec3 own = unnormalised_normal(mesh, mesh.triangles[t]);
+  for (int c = 0; c < 3; ++c) {
+    positions.push_back(mesh.positions[mesh.triangles[t][c]]);
+    mesh.normals.push_back(can_normalize(own) ? glm::normalize(own) : glm::dvec3(0, 1, 0));
+    mesh.triangles[t][c] = static_cast<uint32_t>(positions.size() - 1);
+  }
+}
+
 /// Makes one vertex of each pair of position and normal that occurs.
 void split_vertices(MeshData& mesh, const std::vector<glm::dvec3>& normals,
-                    const std::vector<glm::uvec3>& triangle_normals) {
+                    const std::vector<glm::uvec3>& triangle_normals, const std::vector<bool>& is_usable) {
   std::unordered_map<uint64_t, uint32_t> vertex_of_pair;
   std::vector<glm::dvec3> positions;
   for (size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (!is_usable[t]) {
+      split_flat_triangle(mesh, t, positions);
+      continue;
+    }
     for (int c = 0; c < 3; ++c) {
       const uint32_t position = mesh.triangles[t][c];
       const uint32_t normal = triangle_normals[t][c];
@@ -52,7 +89,7 @@ void split_vertices(MeshData& mesh, const std::vector<glm::dvec3>& normals,
 
 }  // namespace
 
-ObjBuilder::ObjBuilder(const ObjLines& lines, const ObjFilter& filter) : lines_(lines), filter_(filter) {}
+ObjBuilder::ObjBuilder(ObjLines& lines, const ObjFilter& filter) : lines_(lines), filter_(filter) {}
 
 void ObjBuilder::fail(const std::string& message, const std::string& hint) const {
   fail_input(message, {lines_.file(), lines_.line()}, hint);
@@ -65,7 +102,7 @@ void ObjBuilder::add_position(const glm::dvec3& p) {
 }
 
 void ObjBuilder::add_normal(const glm::dvec3& n) {
-  if (!is_finite(n)) fail("the normal is not finite");
+  if (!is_finite(n)) lines_.repairs().add(ObjRepair::normal_not_finite, lines_.line());
   if (normals_.size() == kMaxVertices) fail(fmt::format("more than {} normals", kMaxVertices));
   normals_.push_back(n);
 }
@@ -108,24 +145,28 @@ void ObjBuilder::add_face(std::span<const ObjCorner> corners) {
   std::vector<uint32_t> positions;
   std::vector<uint32_t> normals;
   std::vector<glm::dvec3> points;
-  bool has_normals = true;
   for (const ObjCorner& corner : corners) {
     positions.push_back(resolve(corner.position, mesh_.positions.size(), "vertex"));
     points.push_back(mesh_.positions[positions.back()]);
     normals.push_back(corner.normal == 0 ? kNoNormal : resolve(corner.normal, normals_.size(), "normal"));
-    has_normals &= normals.back() != kNoNormal && can_normalize(normals_[normals.back()]);
   }
   if (!kept_) return;
-  for (const auto& [a, b, c] : triangulate(points)) {
-    if (mesh_.triangles.size() == kMaxTriangles) fail(fmt::format("more than {} triangles", kMaxTriangles));
-    mesh_.triangles.push_back({positions[a], positions[b], positions[c]});
-    triangle_labels_.push_back(label_);
-    bare_triangles_ += has_normals ? 0 : 1;
-    if (!normals_.empty()) {
-      triangle_normals_.resize(mesh_.triangles.size() - 1, glm::uvec3(kNoNormal));
-      triangle_normals_.push_back({normals[a], normals[b], normals[c]});
-    }
-  }
+  const Triangulation parts = triangulate(points);
+  if (parts.equal_neighbours > 0)
+    lines_.repairs().add(ObjRepair::equal_neighbours, lines_.line(), parts.equal_neighbours);
+  if (parts.is_guess) lines_.repairs().add(ObjRepair::crossing_face, lines_.line());
+  for (const auto& [a, b, c] : parts.triangles)
+    add_triangle({positions[a], positions[b], positions[c]}, {normals[a], normals[b], normals[c]});
+}
+
+void ObjBuilder::add_triangle(const glm::uvec3& positions, const glm::uvec3& normals) {
+  if (mesh_.triangles.size() == kMaxTriangles) fail(fmt::format("more than {} triangles", kMaxTriangles));
+  mesh_.triangles.push_back(positions);
+  triangle_labels_.push_back(label_);
+  const bool has_none = normals == glm::uvec3(kNoNormal);
+  if (has_none && triangle_normals_.empty()) return;
+  triangle_normals_.resize(mesh_.triangles.size() - 1, glm::uvec3(kNoNormal));
+  triangle_normals_.push_back(normals);
 }
 
 void ObjBuilder::require_names_seen() const {
@@ -139,13 +180,28 @@ void ObjBuilder::require_names_seen() const {
   }
 }
 
-bool ObjBuilder::use_normals(std::vector<std::string>& warnings) const {
-  if (triangle_normals_.empty() || bare_triangles_ == mesh_.triangles.size()) return false;
-  if (bare_triangles_ == 0) return true;
-  const std::string file = std::filesystem::path(lines_.file()).filename().string();
-  warnings.push_back(fmt::format("{}: {} of {} triangles lack normals, so it is shaded flat", file,
-                                 bare_triangles_, mesh_.triangles.size()));
-  return false;
+/// Normals at corners that only repeat their triangles' own are dropped: the mesh is flat.
+void ObjBuilder::finish_normals(std::vector<std::string>& warnings) {
+  if (triangle_normals_.empty()) return;
+  triangle_normals_.resize(mesh_.triangles.size(), glm::uvec3(kNoNormal));
+  std::vector<bool> is_usable(mesh_.triangles.size());
+  size_t unusable = 0, smooth = 0;
+  for (size_t t = 0; t < mesh_.triangles.size(); ++t) {
+    const glm::dvec3 own = unnormalised_normal(mesh_, mesh_.triangles[t]);
+    const Shading shading = shading_of(own, normals_, triangle_normals_[t]);
+    is_usable[t] = shading != Shading::unusable;
+    unusable += is_usable[t] ? 0 : 1;
+    smooth += shading == Shading::smooth ? 1 : 0;
+  }
+  if (unusable > 0) {
+    warnings.push_back(fmt::format("{}: {} of {} triangles without usable normals: shaded flat", file_name(),
+                                   unusable, mesh_.triangles.size()));
+  }
+  if (smooth > 0) split_vertices(mesh_, normals_, triangle_normals_, is_usable);
+}
+
+std::string ObjBuilder::file_name() const {
+  return std::filesystem::path(lines_.file()).filename().string();
 }
 
 void ObjBuilder::group_by_label(MeshData& mesh) {
@@ -167,7 +223,8 @@ MeshData ObjBuilder::finish(std::vector<std::string>& warnings) {
     fail_input(is_filtered ? "no face is left after 'include' and 'exclude'" : "the mesh has no faces",
                {lines_.file()});
   }
-  if (use_normals(warnings)) split_vertices(mesh_, normals_, triangle_normals_);
+  lines_.repairs().report(file_name(), warnings);
+  finish_normals(warnings);
   group_by_label(mesh_);
   return std::move(mesh_);
 }

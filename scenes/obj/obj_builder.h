@@ -21,7 +21,7 @@ struct ObjCorner {
 
 class ObjBuilder {
  public:
-  ObjBuilder(const ObjLines& lines, const ObjFilter& filter);
+  ObjBuilder(ObjLines& lines, const ObjFilter& filter);
 
   void add_position(const glm::dvec3& p);
   void add_normal(const glm::dvec3& n);
@@ -38,17 +38,19 @@ class ObjBuilder {
   uint32_t label_index();
   uint32_t resolve(int index, size_t count, const char* what) const;
   void require_names_seen() const;
-  bool use_normals(std::vector<std::string>& warnings) const;
+  void add_triangle(const glm::uvec3& positions, const glm::uvec3& normals);
+  void finish_normals(std::vector<std::string>& warnings);
   void group_by_label(MeshData& mesh);
+  std::string file_name() const;
   [[noreturn]] void fail(const std::string& message, const std::string& hint = {}) const;
 
-  const ObjLines& lines_;
+  ObjLines& lines_;
   const ObjFilter& filter_;
   MeshData mesh_;
   std::vector<glm::dvec3> normals_;
-  std::vector<glm::uvec3> triangle_normals_;  // indices into normals_; empty as long as no face has any
+  std::vector<glm::uvec3>
+      triangle_normals_;  // indices into normals_, kNoNormal: none; empty as long as no face has any
   std::vector<uint32_t> triangle_labels_;
-  size_t bare_triangles_ = 0;  // kept triangles without three usable normals
 
   std::string material_, group_, object_;
   std::set<std::string> seen_;  // every name of a material, group or object

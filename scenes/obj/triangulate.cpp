@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scenes/obj/triangulate.h"
 
+#include "scenes/obj/ear_clipper.h"
+
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
-
-#include <numeric>
 
 namespace umbrameter {
 namespace {
@@ -21,9 +22,21 @@ dvec3 newell_normal(std::span<const dvec3> corners) {
   return sum;
 }
 
+/// The greatest of the corners' own normals, for a figure of eight, whose Newell normal is zero.
+dvec3 greatest_corner_normal(std::span<const dvec3> corners) {
+  dvec3 greatest(0.0);
+  for (size_t i = 0; i < corners.size(); ++i) {
+    const dvec3& b = corners[(i + 1) % corners.size()];
+    const dvec3 normal = glm::cross(b - corners[i], corners[(i + 2) % corners.size()] - b);
+    if (glm::dot(normal, normal) > glm::dot(greatest, greatest)) greatest = normal;
+  }
+  return greatest;
+}
+
 /// Drops the axis of the largest normal component, keeping counter-clockwise polygons counter-clockwise.
 std::vector<dvec2> project(std::span<const dvec3> corners) {
-  const dvec3 normal = newell_normal(corners);
+  dvec3 normal = newell_normal(corners);
+  if (normal == dvec3(0.0)) normal = greatest_corner_normal(corners);
   const dvec3 size = glm::abs(normal);
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
   int u = (axis + 1) % 3;
@@ -35,63 +48,51 @@ std::vector<dvec2> project(std::span<const dvec3> corners) {
   return flat;
 }
 
-double twice_area(const dvec2& a, const dvec2& b, const dvec2& c) {
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+/// Four left turns are one round, so nothing crosses.
+bool is_convex_quad(const std::vector<dvec2>& corners) {
+  if (corners.size() != 4) return false;
+  for (size_t i = 0; i < 4; ++i) {
+    const dvec2 edge = corners[(i + 1) % 4] - corners[i];
+    const dvec2 next = corners[(i + 2) % 4] - corners[i];
+    if (!(edge.x * next.y - edge.y * next.x > 0.0)) return false;
+  }
+  return true;
 }
 
-class EarClipper {
- public:
-  explicit EarClipper(std::vector<dvec2> corners) : corners_(std::move(corners)), left_(corners_.size()) {
-    std::iota(left_.begin(), left_.end(), 0u);
+/// Which corners are not where the corner before them is.
+std::vector<uint32_t> distinct_corners(std::span<const dvec3> corners) {
+  std::vector<uint32_t> distinct;
+  for (uint32_t i = 0; i < corners.size(); ++i) {
+    if (distinct.empty() || corners[i] != corners[distinct.back()]) distinct.push_back(i);
   }
-
-  std::vector<std::array<uint32_t, 3>> run() {
-    std::vector<std::array<uint32_t, 3>> triangles;
-    while (left_.size() > 3) {
-      const size_t ear = find_ear();
-      triangles.push_back({before(ear), left_[ear], after(ear)});
-      left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(ear));
-    }
-    triangles.push_back({left_[0], left_[1], left_[2]});
-    return triangles;
-  }
-
- private:
-  uint32_t before(size_t i) const { return left_[(i + left_.size() - 1) % left_.size()]; }
-  uint32_t after(size_t i) const { return left_[(i + 1) % left_.size()]; }
-
-  /// The second corner comes first, so that a convex polygon becomes the usual fan around its first corner.
-  size_t find_ear() const {
-    for (size_t i = 1; i <= left_.size(); ++i) {
-      if (is_ear(i % left_.size())) return i % left_.size();
-    }
-    return 1;
-  }
-
-  bool is_ear(size_t i) const {
-    const dvec2& a = corners_[before(i)];
-    const dvec2& b = corners_[left_[i]];
-    const dvec2& c = corners_[after(i)];
-    if (twice_area(a, b, c) <= 0.0) return false;
-    for (const uint32_t other : left_) {
-      const dvec2& p = corners_[other];
-      if (p == a || p == b || p == c) continue;
-      if (twice_area(a, b, p) >= 0.0 && twice_area(b, c, p) >= 0.0 && twice_area(c, a, p) >= 0.0)
-        return false;
-    }
-    return true;
-  }
-
-  std::vector<dvec2> corners_;
-  std::vector<uint32_t> left_;
-};
+  while (distinct.size() > 1 && corners[distinct.back()] == corners[distinct.front()]) distinct.pop_back();
+  return distinct;
+}
 
 }  // namespace
 
-std::vector<std::array<uint32_t, 3>> triangulate(std::span<const dvec3> corners) {
+Triangulation triangulate(std::span<const dvec3> corners) {
   if (corners.size() < 3) return {};
-  if (corners.size() == 3) return {{0, 1, 2}};
-  return EarClipper(project(corners)).run();
+  if (corners.size() == 3) return {.triangles = {{0, 1, 2}}};
+  const std::vector<uint32_t> distinct = distinct_corners(corners);
+  Triangulation result;
+  result.equal_neighbours = corners.size() - distinct.size();
+  if (distinct.size() < 3) return result;
+  std::vector<dvec3> places;
+  places.reserve(distinct.size());
+  for (const uint32_t i : distinct) places.push_back(corners[i]);
+  std::vector<dvec2> flat = project(places);
+  if (is_convex_quad(flat)) {
+    result.triangles = {{0, 1, 2}, {0, 2, 3}};
+  } else {
+    EarClipper clipper(std::move(flat));
+    result.triangles = clipper.run();
+    result.is_guess = clipper.is_guess();
+  }
+  for (auto& triangle : result.triangles) {
+    for (uint32_t& corner : triangle) corner = distinct[corner];
+  }
+  return result;
 }
 
 }  // namespace umbrameter

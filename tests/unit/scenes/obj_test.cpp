@@ -102,12 +102,12 @@ TEST_F(Obj, ConcavePolygonIsCoveredOnce) {
 }
 
 TEST_F(Obj, NormalsAreKeptWhenEveryCornerHasOne) {
-  const MeshData mesh = load(kSquare + "vn 0 0 2\nvn 0 1 0\nf 1//1 2//1 3//1\nf 1/1/2 3/1/2 4/1/2\n");
+  const MeshData mesh = load(kSquare + "vn 0 0 2\nvn 0 3 4\nf 1//1 2//1 3//1\nf 1/1/2 3/1/2 4/1/2\n");
   // Corners 1 and 3 have two normals each, so there are 6 vertices.
   EXPECT_EQ(mesh.positions.size(), 6u);
   ASSERT_EQ(mesh.normals.size(), 6u);
   EXPECT_EQ(mesh.normals[mesh.triangles[0].x], glm::dvec3(0, 0, 1));
-  EXPECT_EQ(mesh.normals[mesh.triangles[1].x], glm::dvec3(0, 1, 0));
+  EXPECT_NEAR(glm::distance(mesh.normals[mesh.triangles[1].x], glm::dvec3(0, 0.6, 0.8)), 0.0, 1e-15);
   EXPECT_EQ(mesh.positions[mesh.triangles[1].z], glm::dvec3(0, 1, 0));
   EXPECT_THAT(warnings_, IsEmpty());
 }
@@ -117,9 +117,90 @@ TEST_F(Obj, PartialOrZeroNormalsMeanFlatShadingAndAWarning) {
        {"vn 0 0 1\nf 1//1 2//1 3//1\nf 1 3 4\n", "f 1 3 4\nvn 0 0 1\nf 1//1 2//1 3//1\n",
         "vn 0 0 1\nvn 0 0 0\nf 1//1 2//1 3//1\nf 1//2 3//2 4//2\n",
         "vn 0 0 1\nvn 0 0 1e200\nf 1//1 2//1 3//1\nf 1//2 3//2 4//2\n"}) {
+    // The usable normals are the square's own, so nothing is smooth.
     EXPECT_TRUE(load(kSquare + faces).normals.empty());
-    EXPECT_THAT(warnings_, ElementsAre("m.obj: 1 of 2 triangles lack normals, so it is shaded flat"));
+    EXPECT_THAT(warnings_, ElementsAre("m.obj: 1 of 2 triangles without usable normals: shaded flat"));
   }
+}
+
+TEST_F(Obj, TrianglesWithoutUsableNormalsKeepTheirOwnAmongSmoothOnes) {
+  const std::string smooth = kSquare + "vn 0 3 4\nf 1//1 2//1 3//1\n";
+  for (const std::string flat :
+       {"f 1 3 4\n", "vn nan nan nan\nf 1//2 3//1 4//1\n", "vn 1 1 0\nf 1//2 3//1 4//1\n"}) {
+    const MeshData mesh = load(smooth + flat);
+    ASSERT_EQ(mesh.normals.size(), 6u);
+    EXPECT_NEAR(glm::distance(mesh.normals[mesh.triangles[0].z], glm::dvec3(0, 0.6, 0.8)), 0.0, 1e-15);
+    for (int c = 0; c < 3; ++c) EXPECT_EQ(mesh.normals[mesh.triangles[1][c]], glm::dvec3(0, 0, 1)) << flat;
+    EXPECT_EQ(warnings_.back(), "m.obj: 1 of 2 triangles without usable normals: shaded flat");
+  }
+}
+
+TEST_F(Obj, NormalsThatAreNotFiniteAreCounted) {
+  for (const std::string word :
+       {"nan", "-nan", "NaN", "inf", "-inf", "nan(ind)", "-1.#IND", "1.#QNAN0", "1e400"}) {
+    load(kTriangle + "vn 0 " + word + " 1\nf 1//1 2//1 3//1\n");
+    EXPECT_THAT(warnings_, ElementsAre("m.obj: 1 normal that is not finite is not used (line 4)",
+                                       "m.obj: 1 of 1 triangles without usable normals: shaded flat"))
+        << word;
+  }
+}
+
+TEST_F(Obj, StatementsMayGoOnInTheNextLine) {
+  const MeshData mesh =
+      load("v 0 0\\\n0\nv 1 \\ \n \\\r\n 0 0 # x\nv 0 1 0\n# C:\\models\\\nf 1\\\n 2 3 # y \\\nf 1 2 3 \\");
+  EXPECT_EQ(mesh.positions.size(), 3u);
+  EXPECT_EQ(mesh.positions.at(1), glm::dvec3(1, 0, 0));
+  EXPECT_THAT(mesh.triangles, ElementsAre(glm::uvec3(0, 1, 2), glm::uvec3(0, 1, 2)));
+  EXPECT_THAT(warnings_, IsEmpty());
+  EXPECT_EQ(error_of("v 0 0 0\nv 1 \\\n 2 x\n"), "m.obj:3:4: 'x' is not a finite number");
+  EXPECT_EQ(error_of(kTriangle + "f 1 2 \\\n9\n"),
+            "m.obj:4: the face refers to vertex 9, but 3 are defined above it (is the file cut off or put "
+            "together from "
+            "parts?)");
+}
+
+TEST_F(Obj, CommentsMayFollowAnyStatement) {
+  const MeshData mesh = load(
+      "\xEF\xBB\xBFv 0 0 0# a\nv 1 0 0 # 7 8\nv 0 1 0\nvn 0 0 1 # n\ng a b # c\no # none\nusemtl m#1 # m\n"
+      "s 1 # s\nl 1 2 # l\nf 1//1 2//1 3//1#f\n");
+  EXPECT_THAT(mesh.triangles, ElementsAre(glm::uvec3(0, 1, 2)));
+  EXPECT_EQ(mesh.parts.at(0).name, "m#1");
+  EXPECT_THAT(warnings_, IsEmpty());
+}
+
+TEST_F(Obj, SlashesAtTheEndOfCornersAreCounted) {
+  EXPECT_THAT(load(kSquare + "vt 0 0\nvn 0 0 1\nf 1/ 2// 3/1/\nf 1/1 3//1 4\n").triangles,
+              ElementsAre(glm::uvec3(0, 1, 2), glm::uvec3(0, 2, 3)));
+  EXPECT_EQ(warnings_.at(0),
+            "m.obj: 3 corners with slashes at their ends are read without them (the first in line 7)");
+}
+
+TEST_F(Obj, FacesOfLessThanThreeCornersAreCounted) {
+  EXPECT_EQ(load(kTriangle + "f 1 2\nf 3\nf\nf 1 2 3\n").triangles.size(), 1u);
+  EXPECT_THAT(warnings_,
+              ElementsAre("m.obj: 3 faces of less than three corners are left out (the first in line 4)"));
+}
+
+TEST_F(Obj, PolygonsMayHaveAnySizeAndRepeatedCorners) {
+  std::string text, face = "f";
+  for (int i = 0; i < 100000; ++i) {
+    const double angle_rad = 6.283185307179586 * i / 100000;
+    text += fmt::format("v {:.9f} {:.9f} 0\n", std::cos(angle_rad), std::sin(angle_rad));
+    face += fmt::format(" {}", i + 1);
+  }
+  EXPECT_EQ(load(text + face + "\n").triangles.size(), 99998u);
+  load(kSquare + "v 0 0 0\nf 1 2 3 4 5\nf 1 2 2 3 4 4\nf 1 3 2 4\n");
+  EXPECT_THAT(
+      warnings_,
+      ElementsAre("m.obj: 3 corners are left out, being where their neighbours are (the first in line 6)",
+                  "m.obj: 1 face crosses itself, so its triangles are a guess (line 8)"));
+}
+
+TEST_F(Obj, CapitalsAndTabsAndMaterialsWithoutALibrary) {
+  EXPECT_EQ(load("usemtl a\nv\t0 0\t0\nv 1 0 0\n\tv 0 1 0\nf\t-3 -2\t-1\n", "MODEL.OBJ").triangles.size(),
+            1u);
+  EXPECT_EQ(load(compress(kTriangle + "f 1 2 3\n"), "M.Obj.ZST").triangles.size(), 1u);
+  EXPECT_THAT(warnings_, IsEmpty());
 }
 
 TEST_F(Obj, PartsAreMaterialsInOrderOfAppearance) {
@@ -162,7 +243,7 @@ TEST_F(Obj, NumbersThatAreNotFiniteAreErrors) {
   EXPECT_EQ(error_of("v 0 0 0\nv 1 nan 0\n"), "m.obj:2:5: 'nan' is not a finite number");
   EXPECT_EQ(error_of("v inf 0 0\n"), "m.obj:1:3: 'inf' is not a finite number");
   EXPECT_EQ(error_of("v 0 0 1e400\n"), "m.obj:1: the vertex is not finite");
-  EXPECT_EQ(error_of("vn 0 0 -1e400\n"), "m.obj:1: the normal is not finite");
+  EXPECT_EQ(error_of("vn 0 0 x\n"), "m.obj:1:8: 'x' is not a number");
   for (const std::string word : {"0x10", "1e", "1,5", "--1", ".", "1e+", "abc", "1.2.3"}) {
     EXPECT_EQ(error_of("v 0 0 " + word + "\n"), "m.obj:1:7: '" + word + "' is not a finite number");
   }
@@ -177,7 +258,7 @@ TEST_F(Obj, IndicesOutOfRangeAreErrors) {
   EXPECT_EQ(error_of(kTriangle + "vn 0 0 1\nf 1//1 2//1 3//2\n"),
             "m.obj:5: the face refers to normal 2, but 1 are defined above it" + hint);
   for (const std::string corner :
-       {"0", "1/", "1//", "1/2/3/4", "a", "1.5", "99999999999", "1/0", "1//0", "/1"}) {
+       {"0", "1///", "1/2/3/", "//", "1/2/3/4", "a", "1.5", "99999999999", "1/0", "1//0", "/1"}) {
     EXPECT_EQ(
         error_of(kTriangle + "f 1 2 " + corner + "\n"),
         "m.obj:4:7: '" + corner + "' is not a corner of a face (i, i/j, i//k or i/j/k, counted from 1)");
@@ -206,8 +287,9 @@ TEST_F(Obj, FilesThatAreNotPolygonMeshesAreErrors) {
   EXPECT_THAT(error_of("solid ascii\n"), HasSubstr("m.obj:1:1: unknown OBJ statement 'solid'"));
   EXPECT_THAT(error_of("curv 0 1 1 2 3\n"), EndsWith("(only polygons are read: v, vn, f, usemtl, g, o)"));
   EXPECT_EQ(error_of(std::string("v 0 0 0\n\0\0", 10)),
-            "m.obj:2:1: a zero byte: this is not an OBJ text file");
-  EXPECT_EQ(error_of(std::string(70000, '#')), "m.obj:1: a line of over 65536 bytes");
+            "m.obj:2:1: a zero byte: this is not an OBJ text file (UTF-16 and binary files are not read)");
+  EXPECT_EQ(error_of(std::string((size_t{65} << 20), 'x')),
+            "m.obj:1: a line of over 64 MiB (this is not an OBJ text file)");
 }
 
 TEST_F(Obj, EmptyMeshesAreErrors) {
