@@ -113,9 +113,9 @@ TEST(soft, light_size_scale_is_the_width_of_the_light_that_kernels_follow) {
   for (const LightType type : kLightTypes) {
     for (const auto& [size, scale] : {std::pair(1.0, 0.5), std::pair(0.4, 2.5)}) {
       const Light taken_for = light_at_4(type, size * scale);
-      const ErrorSummary error = floor_error(
-          render(half_plane_scene(light_at_4(type, size)), "pcss", many_taps({{"light_size_scale", scale}})),
-          [&](const glm::dvec3& p) { return half_plane_visibility(taken_for, p); });
+      const ErrorSummary error = floor_error(render(half_plane_scene(light_at_4(type, size)), "pcss",
+                                                    many_taps({{"light_size_scale", scale}})),
+                                             [&](const glm::dvec3& p) { return half_plane_visibility(taken_for, p); });
       EXPECT_LE(error.rmse, 0.01) << to_text(type) << " " << scale;
     }
   }

@@ -10,7 +10,8 @@ const int kSun = 3;     // const: FrameData.light_type
 
 struct AreaLight {
   int type;
-  vec2 half_extent;  // FrameData.light_extent.xy
+  vec2 half_extent;  // FrameData.light_extent.xy times scale
+  float scale;
 };
 
 /// Point `index` of `count` over the light: the square [-1,1]^2 for rect, the unit disk otherwise. `noise` in

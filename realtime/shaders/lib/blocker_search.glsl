@@ -46,10 +46,11 @@ float mean_blocker_distance(AreaLight light, Receiver receiver, vec2 noise, floa
   float sum = 0.0;
   float count = 0.0;
   for (int i = 0; i < tap_count(SEARCH_TAPS); ++i) {
+    if (i == early_tap_count(SEARCH_TAPS) && (count == 0.0 || count == float(i))) break;
     vec2 kernel = focused(light, kernel_tap(light, i, SEARCH_TAPS, noise), search_focus);
     vec3 ray = ray_to_light(light, receiver, kernel);
     if (ray.z >= 0.0 || !faces(receiver, ray)) continue;
-    vec2 lateral = search_lateral(view_light, receiver, kernel, ray, z_search);
+    vec2 lateral = search_lateral(light, view_light, receiver, kernel, ray, z_search);
     vec2 lateral_blocker;
     float z_blocker;
     if (!find_search_blocker(receiver, lateral, lateral_blocker, z_blocker)) continue;

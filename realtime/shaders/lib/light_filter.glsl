@@ -20,26 +20,35 @@ float cone_distance(AreaLight light, LightViewData view, Receiver receiver, vec2
 
 #endif
 
-/// Whether the map has nothing in the way of the tap.
-bool is_tap_open(AreaLight light, Receiver receiver, vec2 kernel, vec3 ray, float z_blocker) {
-  vec2 lateral = filter_lateral(view_light, receiver, kernel, ray, z_blocker);
+/// What the map lets pass of the tap: 0 or 1, or with bilinear_taps a share.
+float tap_lit(AreaLight light, Receiver receiver, vec2 kernel, vec3 ray, float z_blocker) {
+  vec2 lateral = filter_lateral(light, view_light, receiver, kernel, ray, z_blocker);
+#ifdef BILINEAR_TAPS
+  if (BILINEAR_TAPS != 0) return bilinear_lit(shadow_map, view_light, receiver, texel_position(view_light, lateral));
+#endif
   float z_met;
   bool is_met = find_blocker(shadow_map, view_light, receiver, texel_at(view_light, lateral), z_met);
 #ifdef FILTER_CONE
   if (FILTER_CONE != 0 && is_met) is_met = z_met < cone_distance(light, view_light, receiver, kernel, z_blocker);
 #endif
-  return !is_met;
+  return is_met ? 0.0 : 1.0;
 }
 
 /// Share of the light's points whose rays pass the map at `z_blocker`, all of them where there is no blocker; those below
 /// the receiver's horizon do not.
 float visible_share(AreaLight light, Receiver receiver, float z_blocker, bool has_blocker, vec2 noise) {
   float seen = 0.0;
-  for (int i = 0; i < tap_count(FILTER_TAPS); ++i) {
+  int taps = tap_count(FILTER_TAPS);
+  for (int i = 0; i < taps; ++i) {
+    if (i == early_tap_count(FILTER_TAPS) && (seen == 0.0 || seen == float(i))) {
+      taps = i;
+      break;
+    }
     vec2 kernel = kernel_tap(light, i, FILTER_TAPS, noise);
     vec3 ray = ray_to_light(light, receiver, kernel);
     if (!faces(receiver, ray)) continue;
-    if (!has_blocker || ray.z >= 0.0 || is_tap_open(light, receiver, kernel, ray, z_blocker)) seen += 1.0;
+    seen += !has_blocker || ray.z >= 0.0 ? 1.0 : tap_lit(light, receiver, kernel, ray, z_blocker);
   }
-  return seen / float(tap_count(FILTER_TAPS));
+  float share = seen / float(taps);
+  return has_blocker ? with_falloff(view_light, share, receiver.p_light.z, z_blocker) : share;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Moments of the distances a filter covers, and what they say about a receiver behind them.
-// Distances here are linear and normalised: 0 at the view's near plane, 1 behind the far one, where nothing is.
+// Distances here are normalised: 0 at the view's near plane, 1 behind the far one, where nothing is. For techniques with
+// the parameter depth_form.
 #include "spaces.glsl"
 
 /// World length of normalised 1. Past the far plane, which is at the farthest receiver: a surface that goes on beyond
@@ -9,13 +10,27 @@ float range_world(LightViewData view) {
   return 1.25 * (view.depth_range.y - view.depth_range.x);  // const: room for a filter on a slope
 }
 
-/// Casters before the near plane lie on it.
+/// Casters before the near plane lie on it. Stored depth is that of conventional buffers, 0 near and 1 far.
 float normalized_distance(LightViewData view, float distance_world) {
+  if (DEPTH_FORM == DEPTH_FORM_STORED) return 1.0 - depth_of_distance(view, distance_world);
   return clamp((distance_world - view.depth_range.x) / range_world(view), 0.0, 1.0);
 }
 
-/// A world length as a difference of normalised distances.
-float normalized_length(LightViewData view, float length_world) { return length_world / range_world(view); }
+/// A world length as a difference of normalised distances about `distance_world`. Stored depth of a perspective view
+/// is f (z - n) / (z (f - n)), which rises by n f / (z^2 (f - n)).
+float normalized_length(LightViewData view, float length_world, float distance_world) {
+  if (DEPTH_FORM != DEPTH_FORM_STORED) return length_world / range_world(view);
+  float near_world = view.depth_range.x;
+  float far_world = view.depth_range.y;
+  float z = max(distance_world, near_world);
+  float per_range = is_orthographic(view) ? 1.0 : near_world * far_world / (z * z);
+  return length_world * per_range / (far_world - near_world);
+}
+
+/// The map's range of distances, normalised.
+float normalized_range(LightViewData view) {
+  return DEPTH_FORM == DEPTH_FORM_STORED ? 1.0 : (view.depth_range.y - view.depth_range.x) / range_world(view);
+}
 
 /// Variance of the distance inside a texel over which it changes by `slope`: slope^2 / 12 per axis for a box, / 4 for
 /// a Gaussian of half a texel (Donnelly and Lauritzen 2006). `texel_normalized` limits the slope to that of a surface seen

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A mean blocker distance as a number that blurs and interpolates: the width of the penumbra, 0 at the contact, 1 for
-// the widest that the view can hold (physical) or squared_radius_world (squared).
+// the widest that the view can hold (physical), or the value of the curve.
 #include "penumbra.glsl"
 
 /// Kernel widths are linear in 1/z in a perspective view and in z in an orthographic one.
@@ -11,7 +11,7 @@ float widest_penumbra(LightViewData view) {
 
 float penumbra_of(LightViewData view, float z_receiver, float z_blocker) {
 #ifdef PENUMBRA_CURVE
-  if (kHasSquaredPenumbra) return squared_penumbra(z_receiver, z_blocker);
+  if (kHasCurve) return curve_value(view, z_receiver, z_blocker);
 #endif
   float width = is_orthographic(view) ? z_receiver - z_blocker : 1.0 / z_blocker - 1.0 / z_receiver;
   return clamp(width / widest_penumbra(view), 0.0, 1.0);
@@ -20,7 +20,7 @@ float penumbra_of(LightViewData view, float z_receiver, float z_blocker) {
 /// The distance of which `penumbra_of` is `penumbra`.
 float blocker_distance_of(LightViewData view, float z_receiver, float penumbra) {
 #ifdef PENUMBRA_CURVE
-  if (kHasSquaredPenumbra) return z_receiver / (1.0 + sqrt(penumbra / squared_scale));
+  if (kHasCurve) return curve_blocker_distance(view, z_receiver, penumbra);
 #endif
   float width = penumbra * widest_penumbra(view);
   return is_orthographic(view) ? z_receiver - width : 1.0 / (1.0 / z_receiver + width);

@@ -47,7 +47,7 @@ bool find_search_box(AreaLight light, Receiver receiver, float z, out vec2 low_t
 float nearest_blocker_bound(AreaLight light, Receiver receiver) {
   float z_search = view_light.depth_range.x;
 #ifdef PENUMBRA_CURVE
-  if (kHasSquaredPenumbra) return z_search;  // its search does not follow the rays
+  if (kHasCurve) return z_search;  // its search does not follow the rays
 #endif
   vec2 low_texels;
   vec2 high_texels;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Percentage-closer filtering where the mask is on, one comparison elsewhere (Evans, Agenjo and Blat 2014).
-#include "box_pcf.glsl"
 #include "dilated_mask.glsl"
-#include "pixel.glsl"
+#include "masked_filter.glsl"
 
 bool is_near_edge(Receiver receiver) {
   return highest_around(mask, textureQueryLevels(mask) - 1, texel_position(view_light, receiver.lateral)) > 0.0;
@@ -11,7 +10,7 @@ bool is_near_edge(Receiver receiver) {
 float visibility_of(Receiver receiver) {
   float known;
   if (is_known(view_light, receiver, known)) return known;
-  return box_lit(shadow_map, view_light, receiver, is_near_edge(receiver) ? filter_width_texels : 0.0);
+  return masked_lit(shadow_map, view_light, receiver, is_near_edge(receiver) ? filter_width_texels : 0.0);
 }
 
 void main() {

@@ -21,6 +21,19 @@ float physical_strength(ivec2 texel) {
   return penumbra_texels(view_light, min(z, z_other), max(z, z_other));
 }
 
+/// The step as a share of the way from the nearest caster to its far side.
+float drop_strength(ivec2 texel) {
+  float height = step_height(shadow_map, view_light, texel, false);
+  float z_far = edge_value(shadow_map, view_light, texel, false) + max(0.0, -height);
+  return edge_strength(height) / max(z_far - view_light.depth_range.x, 1e-20);  // const: nothing before the surface
+}
+
+float strength_of(ivec2 texel) {
+  if (CALIBRATION == CALIBRATION_PHYSICAL) return physical_strength(texel);
+  if (CALIBRATION == CALIBRATION_DROP) return drop_strength(texel);
+  return edge_strength(step_height(shadow_map, view_light, texel, true));
+}
+
 float band_of(float strength, vec3 least) {
   float band = 0.0;
   for (int i = 0; i < 3; ++i) {  // const: bands
@@ -31,10 +44,6 @@ float band_of(float strength, vec3 least) {
 
 void main() {
   ivec2 texel = ivec2(gl_FragCoord.xy);
-  vec3 thresholds = vec3(threshold_1, threshold_2, threshold_3);
-  if (CALIBRATION == CALIBRATION_PAPER) {
-    out_mask = band_of(edge_strength(step_height(shadow_map, view_light, texel, true)), thresholds);
-  } else {
-    out_mask = band_of(physical_strength(texel), thresholds * vec3(width_1_texels, width_2_texels, width_3_texels));
-  }
+  vec3 widths = CALIBRATION == CALIBRATION_PHYSICAL ? vec3(width_1_texels, width_2_texels, width_3_texels) : vec3(1.0);
+  out_mask = band_of(strength_of(texel), vec3(threshold_1, threshold_2, threshold_3) * widths);
 }

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Percentage-closer filtering as wide as the highest band nearby says, one comparison without any (Evans, Agenjo and
 // Blat 2014).
-#include "box_pcf.glsl"
 #include "dilated_mask.glsl"
-#include "pixel.glsl"
+#include "masked_filter.glsl"
 
 int level_for(float width_texels) { return int(ceil(log2(max(1.0, width_texels)))); }
 
@@ -23,7 +22,7 @@ float width_around(Receiver receiver) {
 float visibility_of(Receiver receiver) {
   float known;
   if (is_known(view_light, receiver, known)) return known;
-  return box_lit(shadow_map, view_light, receiver, width_around(receiver));
+  return masked_lit(shadow_map, view_light, receiver, width_around(receiver));
 }
 
 void main() {

@@ -16,9 +16,11 @@ float visibility_of(Receiver receiver) {
   if (is_known(view_light, receiver, known)) return known;
   float z = normalized_distance(view_light, receiver.p_light.z - receiver.bias_world);
   float filtered = bilinear_mean(warped, texel_position(view_light, receiver.lateral));
-  float spread = normalized_length(view_light, plane_spread_world(view_light, receiver, filter_width_texels));
+  float spread_world = plane_spread_world(view_light, receiver, filter_width_texels);
+  float spread = normalized_length(view_light, spread_world, receiver.p_light.z);
   if (FORM != FORM_LINEAR_DEPTH) return exponential_visibility(filtered, z, half_plane_exponential(exponent * spread));
-  float plane_bias = normalized_length(view_light, plane_bias_world(view_light, receiver, filter_width_texels));
+  float bias_world = plane_bias_world(view_light, receiver, filter_width_texels);
+  float plane_bias = normalized_length(view_light, bias_world, receiver.p_light.z);
   return exponential_visibility(filtered, z - plane_bias, 1.0);
 }
 
@@ -27,7 +29,10 @@ float styled(float visibility) {
   return max(darkest, darkening == 1.0 ? visibility : pow(visibility, darkening));
 }
 
+/// The values from full_shadow_at to 1 over [0,1].
+float stretched(float passed) { return max(0.0, passed - full_shadow_at) / (1.0 - full_shadow_at); }
+
 void main() {
   Receiver receiver;
-  out_visibility = styled(fetch_receiver(receiver) ? visibility_of(receiver) : 1.0);
+  out_visibility = styled(fetch_receiver(receiver) ? stretched(visibility_of(receiver)) : 1.0);
 }

@@ -10,8 +10,9 @@
 /// value, or than that of the plane's nearer half with plane_bias. The negative one is concave: its mean over a plane lies
 /// before the receiver. No map holds less than at 0.
 vec2 warped_plane(Receiver receiver, vec2 w) {
-  vec2 spreads = normalized_length(view_light, 1.0) * plane_spreads_world(view_light, receiver, filter_width_texels);
-  float spread = normalized_length(view_light, plane_spread_world(view_light, receiver, filter_width_texels));
+  float z = receiver.p_light.z;
+  vec2 spreads = normalized_length(view_light, 1.0, z) * plane_spreads_world(view_light, receiver, filter_width_texels);
+  float spread = normalized_length(view_light, plane_spread_world(view_light, receiver, filter_width_texels), z);
   float positive = half_plane_exponential(2.0 * positive_exponent * spread);
   float negative = half_plane_exponential(-2.0 * negative_exponent * spread);
   negative = max(negative, plane_exponential(2.0 * negative_exponent * spreads));
@@ -31,7 +32,7 @@ float visibility_of(Receiver receiver) {
   vec4 filtered = texture(moments, p_texels * moments_size.zw);
   float z = normalized_distance(view_light, receiver.p_light.z - receiver.bias_world);
   vec2 w = warped(z);
-  vec2 min_deviation = warped_slope(w) * sqrt(least_variance(view_light));
+  vec2 min_deviation = warped_slope(w) * sqrt(least_variance(view_light, receiver.p_light.z));
   vec2 reference = warped_plane(receiver, w);
   float positive = warped_bound(filtered, reference, min_deviation, 0);
   float negative = NEGATIVE_WARP != 0 ? warped_bound(filtered, reference, min_deviation, 1) : 1.0;

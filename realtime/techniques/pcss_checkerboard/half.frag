@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // pcss at the computed pixels, packed.
 #include "blocker_search.glsl"
+#include "checkerboard.glsl"
 #include "light_filter.glsl"
 #include "light_kernel.glsl"
-#include "pattern.glsl"
 #include "pixel.glsl"
 #include "search_bound.glsl"
 

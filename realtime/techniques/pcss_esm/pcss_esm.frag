@@ -21,7 +21,11 @@ float tap_value(Receiver receiver, vec2 lateral) {
   return CLAMP == CLAMP_TAPS ? min(1.0, passed) : passed;
 }
 
-float passed_share(float mean) { return min(1.0, FORM == FORM_LINEAR_DEPTH ? exp(exponent * min(0.0, mean)) : mean); }
+/// What the mean lets pass, with the values from full_shadow_at to 1 over [0,1].
+float passed_share(float mean) {
+  float passed = min(1.0, FORM == FORM_LINEAR_DEPTH ? exp(exponent * min(0.0, mean)) : mean);
+  return max(0.0, passed - full_shadow_at) / (1.0 - full_shadow_at);
+}
 
 /// Share of the light above the horizon, times the share of it that the map lets pass.
 float filtered_visibility(AreaLight light, Receiver receiver, float z_blocker, vec2 noise) {
@@ -33,7 +37,7 @@ float filtered_visibility(AreaLight light, Receiver receiver, float z_blocker, v
     vec3 ray = ray_to_light(light, receiver, kernel);
     if (!faces(receiver, ray)) continue;
     facing += 1.0;
-    vec2 lateral = ray.z < 0.0 ? filter_lateral(view_light, receiver, kernel, ray, z_blocker) : receiver.lateral;
+    vec2 lateral = ray.z < 0.0 ? filter_lateral(light, view_light, receiver, kernel, ray, z_blocker) : receiver.lateral;
     if (has_blocker) sum += tap_value(receiver, lateral);
   }
   if (facing == 0.0) return 0.0;

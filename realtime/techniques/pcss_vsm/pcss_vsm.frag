@@ -14,7 +14,7 @@ vec2 moments_at(Receiver receiver, vec2 lateral) {
   vec2 read = texture(moments, texel_position(view_light, lateral) * moments_size.zw).rg;
   if (!compares_plane(receiver)) return read;
   float drop = receiver.p_light.z - surface_distance_at(view_light, receiver, lateral);
-  return shifted_moments(read, normalized_length(view_light, drop));
+  return shifted_moments(read, normalized_length(view_light, drop, receiver.p_light.z));
 }
 
 /// Share of the light above the horizon, times the share of it that the moments let pass.
@@ -27,7 +27,7 @@ float filtered_visibility(AreaLight light, Receiver receiver, float z_blocker, v
     vec3 ray = ray_to_light(light, receiver, kernel);
     if (!faces(receiver, ray)) continue;
     facing += 1.0;
-    vec2 lateral = ray.z < 0.0 ? filter_lateral(view_light, receiver, kernel, ray, z_blocker) : receiver.lateral;
+    vec2 lateral = ray.z < 0.0 ? filter_lateral(light, view_light, receiver, kernel, ray, z_blocker) : receiver.lateral;
     if (has_blocker) sum += moments_at(receiver, lateral);
   }
   float share = facing / float(tap_count(FILTER_TAPS));

@@ -7,8 +7,7 @@
 #include "search_bound.glsl"
 
 vec2 mask_of(Receiver receiver, vec2 noise) {
-  AreaLight light = kernel_light();
-  light.half_extent *= search_scale;
+  AreaLight light = widened(kernel_light(), search_scale);
   float z_blocker = mean_blocker_distance(light, receiver, noise, nearest_blocker_bound(light, receiver));
   if (z_blocker >= receiver.p_light.z) return default_value();
   return vec2(penumbra_of(view_light, receiver.p_light.z, z_blocker), 1.0);

@@ -1,19 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The filter of pcss as wide as the mask says.
-#include "light_filter.glsl"
-#include "light_kernel.glsl"
-#include "mask_value.glsl"
-#include "pixel.glsl"
-
-float visibility_of(Receiver receiver) {
-  vec2 read = texture(mask, texel_of_pixel(gl_FragCoord.xy) * mask_size.zw).rg;
-  bool has_blocker = read.g > 0.0 && !is_behind(view_light, receiver);
-  float z_receiver = receiver.p_light.z;
-  float z_blocker = has_blocker ? blocker_distance_of(view_light, z_receiver, read.r / read.g) : z_receiver;
-  return visible_share(kernel_light(), receiver, z_blocker, has_blocker, kernel_noise(noise_position()));
-}
+// Every pixel.
+#include "mask_visibility.glsl"
 
 void main() {
   Receiver receiver;
-  out_visibility = fetch_receiver(receiver) ? visibility_of(receiver) : 1.0;
+  bool has_receiver = fetch_receiver(receiver);
+  vec2 noise = kernel_noise(noise_position());
+  out_visibility = has_receiver ? masked_visibility(receiver, gl_FragCoord.xy, noise) : 1.0;
 }

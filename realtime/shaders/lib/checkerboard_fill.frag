@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Computed pixels as they are; the others from their computed neighbours, those at the same distance most.
-#include "pattern.glsl"
+// Computed pixels as they are; the others from their computed neighbours, those at the same distance most. For techniques
+// with the parameters of the group fill.
+#include "checkerboard.glsl"
 
 const float kBackgroundRatio = 1e6;  // const: as far from every surface
 

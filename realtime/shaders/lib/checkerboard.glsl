@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which pixels are computed, and where they are packed. Pixels count rows from the top, as images do.
+// Which pixels are computed, and where they are packed, for techniques with the parameter pattern. Pixels count rows
+// from the top, as images do.
 
 /// Rows a computed row stands for.
 int pattern_rows() { return PATTERN == PATTERN_QUARTER ? 2 : 1; }
