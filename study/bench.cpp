@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/bench.h"
 
+#include "core/hash.h"
 #include "core/version.h"
 #include "study/guard.h"
 #include "study/renamed_progress.h"
@@ -63,6 +64,10 @@ std::vector<LabelledRequest> choose_runs(const Context& context, BenchScene& sce
   return requests;
 }
 
+std::string hash_of_picture(const Image& visibility) {
+  return Hasher().values(visibility.plane("visibility")).hex();
+}
+
 void take_result(TimedRun& run, BenchEntry& entry) {
   entry.failure = run.failure;
   if (entry.failure) return;
@@ -92,7 +97,10 @@ Pictures time_runs(const Context& context, BenchScene& scene, std::vector<Skip>&
   std::vector<TimedRun> runs = render_interleaved(
       context.renderers.realtime, context.job.scene, requests, context.plan.timing, context.progress,
       [&](size_t i, Frame& frame) { keep_picture(frame.image, pictures.visibility[i], pictures.surfaces); });
-  for (size_t i = 0; i < runs.size(); ++i) take_result(runs[i], scene.entries[i]);
+  for (size_t i = 0; i < runs.size(); ++i) {
+    take_result(runs[i], scene.entries[i]);
+    if (!scene.entries[i].failure) scene.entries[i].picture_hash = hash_of_picture(pictures.visibility[i]);
+  }
   return pictures;
 }
 

@@ -67,6 +67,15 @@ void judge(const Interval& ours, ClaimResult& result) {
   }
 }
 
+/// Why the two pictures do not fit the claim; empty when they do.
+std::string picture_objection(const Claim& claim, const BenchEntry& one, const BenchEntry& other) {
+  if (claim.quantity == Quantity::memory || one.picture_hash.empty() || other.picture_hash.empty()) return {};
+  const bool are_equal = one.picture_hash == other.picture_hash;
+  if (are_equal && !claim.same_picture) return "both runs drew the same picture, to the bit";
+  if (!are_equal && claim.same_picture) return "the two pictures differ";
+  return {};
+}
+
 void judge_claim(const Claim& claim, std::span<const BenchEntry> entries, ClaimResult& result) {
   std::array<std::optional<Measured>, 2> measured;
   const std::array<const std::string*, 2> labels{&claim.numerator, &claim.denominator};
@@ -83,6 +92,9 @@ void judge_claim(const Claim& claim, std::span<const BenchEntry> entries, ClaimR
                         : fmt::format("'{}' was not measured", *labels[side]);
     return;
   }
+  result.reason =
+      picture_objection(claim, *find_entry(entries, *labels[0]), *find_entry(entries, *labels[1]));
+  if (!result.reason.empty()) return;
   const bool is_inverse = claim.quantity == Quantity::fps;
   const Measured& above = *measured[is_inverse ? 1 : 0];
   const Measured& below = *measured[is_inverse ? 0 : 1];

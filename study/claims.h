@@ -25,7 +25,8 @@ struct ClaimResult {
 
 /// Every claim that speaks of `scene`, from the first run of each label (several seeds share one). A single number is
 /// agreed with by lying on its side of 1, a range by lying in it, with the whole interval: ratios of whole frames move
-/// with hardware, orders should not.
+/// with hardware, orders should not. Times of two runs that drew the same picture, to the bit, say nothing about two
+/// techniques: no verdict, unless the claim is about two ways to one picture, and then none where the pictures differ.
 std::vector<ClaimResult> judge_claims(std::span<const Claim> claims, const std::string& scene,
                                       std::span<const BenchEntry> entries);
 

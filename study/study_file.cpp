@@ -121,6 +121,7 @@ Claim read_claim(const TomlNode& table, const StudyFile& study) {
   if (!is_frame && !claim.without.empty())
     reader.fail("without", "'without' belongs to quantity = \"time\" or \"fps\"");
   if (!needs_pass && reader.has("pass")) reader.fail("pass", "'pass' belongs to quantity = \"pass_time\"");
+  claim.same_picture = reader.boolean("same_picture", false);
   read_paper(reader, study.scenes, claim);
   reader.finish();
   return claim;

@@ -43,6 +43,7 @@ struct Claim {
   Quantity quantity = Quantity::time;
   std::string pass;                  // pass_time only
   std::vector<std::string> without;  // time and fps: passes of the frame that the paper leaves out
+  bool same_picture = false;         // two ways to one picture, which must be equal to the bit
   std::optional<PaperRatio> every_scene;
   std::vector<std::pair<std::string, PaperRatio>> by_scene;
   FileLocation where;

@@ -11,6 +11,10 @@ namespace umbrameter {
 /// unused, `visibility` written. Error{input} at the first fault.
 void check_passes(const Technique& technique);
 
+/// Nothing of an earlier frame but what passes with `once` wrote: each other read, and each drawing over what is there,
+/// follows a write of the same frame. Error{input} at the first that does not.
+void check_frames(const Technique& technique);
+
 /// Parameters: each is read (define and uniform ones by `shader_tokens`, host ones by an expression or a
 /// fit), presets name them, constraints hold for the defaults and every preset. Error{input} at the first
 /// fault.

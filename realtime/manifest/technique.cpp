@@ -72,6 +72,7 @@ Technique load_technique(const fs::path& folder, const fs::path& shared_folder,
   const fs::path shaders = shaders_folder.empty() ? shared_folder / ".." / ".." / "shaders" : shaders_folder;
   Manifest manifest = read_manifest(folder, shared_folder);
   check_passes(manifest.technique);
+  check_frames(manifest.technique);
   const ShaderFiles files = read_shader_files(manifest.technique, shaders);
   check_parameters(manifest, files.tokens);
   manifest.technique.hash = hash_files(manifest, files);

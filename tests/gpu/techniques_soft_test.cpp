@@ -113,26 +113,12 @@ TEST(soft, light_size_scale_is_the_width_of_the_light_that_kernels_follow) {
   for (const LightType type : kLightTypes) {
     for (const auto& [size, scale] : {std::pair(1.0, 0.5), std::pair(0.4, 2.5)}) {
       const Light taken_for = light_at_4(type, size * scale);
-      const ErrorSummary error = floor_error(render(half_plane_scene(light_at_4(type, size)), "pcss",
-                                                    many_taps({{"light_size_scale", scale}})),
-                                             [&](const glm::dvec3& p) { return half_plane_visibility(taken_for, p); });
+      const ErrorSummary error = floor_error(
+          render(half_plane_scene(light_at_4(type, size)), "pcss", many_taps({{"light_size_scale", scale}})),
+          [&](const glm::dvec3& p) { return half_plane_visibility(taken_for, p); });
       EXPECT_LE(error.rmse, 0.01) << to_text(type) << " " << scale;
     }
   }
-}
-
-TEST(pcss, the_squared_curve_is_as_wide_as_its_formula) {
-  UMBRAMETER_REQUIRE_GL();
-  // Floor 4 and edge 2.5 from the light: 0.5 min(1, 1 ((4 - 2.5) / 2.5)^2) = 0.18 to each side of the edge's
-  // shadow, a linear ramp under a square kernel.
-  const Light light = light_at_4(LightType::rect, 0.2);
-  const Frame frame = render(half_plane_scene(light), "pcss",
-                             many_taps({{"penumbra_curve", std::string("squared")},
-                                        {"search_cone", false},
-                                        {"squared_scale", 1.0},
-                                        {"squared_radius_world", 0.5}}));
-  const auto ramp = [](const glm::dvec3& p) { return std::clamp(0.5 + p.x / (2 * 0.18), 0.0, 1.0); };
-  EXPECT_LE(floor_error(frame, ramp).rmse, 0.005);
 }
 
 TEST(pcss_vsm, is_within_001_of_the_half_plane_under_every_light) {

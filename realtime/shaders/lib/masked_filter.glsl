@@ -6,10 +6,11 @@
 
 /// Mean of side x side comparisons a texel apart around the receiver.
 float grid_lit(sampler2D map, LightViewData view, Receiver receiver, int side) {
-  vec2 first = texel_position(view, receiver.lateral) - 0.5 * float(side - 1);
+  vec2 center = texel_position(view, receiver.lateral);
   float lit = 0.0;
   for (int i = 0; i < side * side; ++i) {
-    lit += lit_at(map, view, receiver, first + vec2(i % side, i / side), false);
+    vec2 from_middle = vec2(i % side, i / side) - 0.5 * float(side - 1);
+    lit += lit_at(map, view, receiver, center + from_middle, false);
   }
   return lit / float(side * side);
 }

@@ -127,6 +127,22 @@ TEST_F(Claims, NoVerdictInsideTheNoise) {
   EXPECT_GT(result.ours->high, 1.0);
 }
 
+TEST_F(Claims, NoVerdictOnTimesOfOnePictureUnlessThatIsTheClaim) {
+  entries_[0].picture_hash = entries_[1].picture_hash = "a";
+  EXPECT_EQ(judge(Quantity::time, {1.5, 1.5}).reason, "both runs drew the same picture, to the bit");
+  EXPECT_FALSE(judge(Quantity::fps, {1.5, 1.5}).ours);
+  EXPECT_TRUE(judge(Quantity::memory, {1.5, 1.5}).reason.empty());
+  Claim claim;
+  claim.numerator = "slow";
+  claim.denominator = "fast";
+  claim.every_scene = PaperRatio{1.5, 1.5};
+  claim.same_picture = true;
+  EXPECT_EQ(judge_claims(std::array{claim}, "plate", entries_).at(0).verdict, Verdict::agrees);
+  entries_[1].picture_hash = "b";
+  EXPECT_EQ(judge_claims(std::array{claim}, "plate", entries_).at(0).reason, "the two pictures differ");
+  EXPECT_EQ(judge(Quantity::time, {1.5, 1.5}).verdict, Verdict::agrees);
+}
+
 TEST_F(Claims, FewFramesFailuresAndUnknownPassesAreSaid) {
   EXPECT_EQ(judge(Quantity::pass_time, {2, 2}, "blur").reason, "'slow' has no pass 'blur'");
   entries_[1] = timed("slow", 3.0, 3.0, 5);
