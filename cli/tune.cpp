@@ -8,11 +8,15 @@
 #include "cli/tune_text.h"
 #include "core/error.h"
 #include "core/files.h"
+#include "realtime/manifest/activity.h"
 #include "study/metadata.h"
+#include "study/tune/lengths.h"
 #include "study/tune/tune_files.h"
 #include "study/tune/tune_json.h"
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace umbrameter {
 namespace {
@@ -71,6 +75,17 @@ std::vector<SceneJob> load_scenes(const TuneOptions& options, const TunePlan& pl
   return jobs;
 }
 
+/// On any of the scenes.
+IsActive activity(const TunePlan& plan, std::span<const SceneJob> scenes, const Home& home) {
+  std::vector<Light> lights;
+  for (const SceneJob& job : scenes) lights.push_back(job.scene.light());
+  return [technique = find_technique(plan.technique.technique, home.techniques), lights](
+             const Parameter& parameter, const ParameterValues& values) {
+    return std::ranges::any_of(
+        lights, [&](const Light& light) { return is_active(technique, parameter, values, light); });
+  };
+}
+
 void write_results(const std::filesystem::path& out, const TunePlan& plan, const TuneResult& result,
                    const std::string& json) {
   create_folder(out);
@@ -86,6 +101,8 @@ int tune(const TuneOptions& options, const GlobalOptions& global) {
   const Home home = find_home();
   TunePlan plan = make_plan(options, home);
   std::vector<SceneJob> scenes = load_scenes(options, plan, scene_search(global, home));
+  resolve_lengths(plan, scenes);
+  plan.is_active = activity(plan, scenes, home);
   const std::filesystem::path out = global.out.empty() ? "tuned" : global.out;
   TruthMemory memory(global, out, !options.no_reuse);
   const auto realtime = open_realtime_renderer(global, home);
