@@ -36,9 +36,19 @@ struct TuneOptions {
       .quality = "quick", .width = {}, .height = {}, .samples_per_pixel = {}, .target_se = {}, .where = {}};
 };
 
+// Of quality quick without sizes: hundreds of pictures are drawn, from many cameras.
+constexpr int kQuickWidth_px = 320, kQuickHeight_px = 180;
 constexpr int kCoarseFactor = 2;      // of each side; samples go with its square
 constexpr int kLeastCoarse_px = 160;  // across: smaller pictures hold too few penumbrae to rank anything
 constexpr double kMillisecondsPerSecond = 1e3;
+
+Quality choose_tune_quality(QualityOptions options) {
+  if (options.quality == "quick" && !options.width && !options.height) {
+    options.width = kQuickWidth_px;
+    options.height = kQuickHeight_px;
+  }
+  return choose_quality(options);
+}
 
 PictureQuality coarse_picture(PictureQuality picture) {
   picture.width_px /= kCoarseFactor;
@@ -97,7 +107,7 @@ void write_results(const std::filesystem::path& out, const TunePlan& plan, const
 }
 
 int tune(const TuneOptions& options, const GlobalOptions& global) {
-  const Quality quality = choose_quality(options.quality);
+  const Quality quality = choose_tune_quality(options.quality);
   const Home home = find_home();
   TunePlan plan = make_plan(options, home);
   std::vector<SceneJob> scenes = load_scenes(options, plan, scene_search(global, home));

@@ -20,10 +20,12 @@ constexpr std::array kSettings{
     EngineSetting{"bias_texels", "Unity URP Depth Bias; elsewhere the world units beside it"},
     EngineSetting{"normal_offset_texels",
                   "Unity URP Normal Bias; Filament normalBias; three.js shadow.normalBias (world units)"},
-    EngineSetting{"slope_bias", "Unity HDRP Slope-Scale Depth Bias; Unreal Shadow Slope Bias; factor of glPolygonOffset"},
-    EngineSetting{"light_size_scale",
-                  "the light's size times this: Unity HDRP Radius or Angular Diameter; Unreal Source Radius or "
-                  "Source Angle; Godot light_size or light_angular_distance; Bevy soft_shadow_size"},
+    EngineSetting{"slope_bias",
+                  "Unity HDRP Slope-Scale Depth Bias; Unreal Shadow Slope Bias; factor of glPolygonOffset"},
+    EngineSetting{
+        "light_size_scale",
+        "the light's size times this: Unity HDRP Radius or Angular Diameter; Unreal Source Radius or "
+        "Source Angle; Godot light_size or light_angular_distance; Bevy soft_shadow_size"},
     EngineSetting{"map_size", "the shadow map's resolution, everywhere"},
     EngineSetting{"radius_texels", "three.js shadow.radius; Godot shadow_blur (scaled by its engine)"},
     EngineSetting{"taps", "the shadow filter's quality, everywhere"},
@@ -33,8 +35,8 @@ constexpr std::array kSettings{
 
 /// The value of a parameter that a shader without it has.
 constexpr std::array kNeutral{
-    EngineSetting{"receiver_plane", "none"}, EngineSetting{"caster_layer", "nearest"},
-    EngineSetting{"bias_mode", "manual"},    EngineSetting{"rotation", "none"},
+    EngineSetting{"receiver_plane", "none"},     EngineSetting{"caster_layer", "nearest"},
+    EngineSetting{"bias_mode", "manual"},        EngineSetting{"rotation", "none"},
     EngineSetting{"penumbra_curve", "physical"},
 };
 

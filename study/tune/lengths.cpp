@@ -12,8 +12,7 @@ void resolve_lengths(TunePlan& plan, std::span<const SceneJob> scenes) {
   for (const SceneJob& job : scenes) diagonals_world.push_back(job.scene.bounds_world.diagonal());
   const auto [least, most] = std::ranges::minmax(diagonals_world);
   plan.technique.parameters = in_world(plan.parameters, plan.technique.parameters, least);
-  for (NamedValues& preset : plan.presets)
-    preset.values = in_world(plan.parameters, preset.values, least);
+  for (NamedValues& preset : plan.presets) preset.values = in_world(plan.parameters, preset.values, least);
   for (Parameter& parameter : plan.parameters) parameter = in_world(parameter, least);
   if (least == most) return;
   plan.notes.push_back(fmt::format(

@@ -72,7 +72,11 @@ class Tuning {
   const ParameterValues& base() const { return plan_.technique.parameters; }
 
   size_t evaluations() const {
-    return plan_.evaluations > 0 ? plan_.evaluations : default_evaluations(space_.size());
+    if (plan_.evaluations > 0) return plan_.evaluations;
+    const auto acts = [&](const Parameter& axis) {
+      return !plan_.is_active || plan_.is_active(axis, base());
+    };
+    return default_evaluations(static_cast<size_t>(std::ranges::count_if(space_, acts)));
   }
 
   std::function<bool()> time_is_up_after(double share) const {

@@ -71,10 +71,11 @@ TEST_F(Units, ErrorsAndFaultsAreTheSameInEveryUnit) {
   std::vector<Json> runs;
   for (const double unit : kScales) {
     write_crate("crate.toml", unit);
-    const Json json = answer({"validate", "crate.toml", "--frames", "0", "--out", fmt::format("out{}", unit),
-                              "--technique", "hard", "--technique", "pcss", "--technique", "vsm", "--technique",
-                              "pcss:penumbra_curve=squared", "--technique", "penumbra_mask:blur=distance_scaled",
-                              "--technique", fmt::format("hard:bias_world={}", 0.02 * unit)});
+    const Json json =
+        answer({"validate", "crate.toml", "--frames", "0", "--out", fmt::format("out{}", unit), "--technique",
+                "hard", "--technique", "pcss", "--technique", "vsm", "--technique",
+                "pcss:penumbra_curve=squared", "--technique", "penumbra_mask:blur=distance_scaled",
+                "--technique", fmt::format("hard:bias_world={}", 0.02 * unit)});
     runs.push_back(json["scenes"][0]["techniques"]);
   }
   ASSERT_EQ(runs[1].size(), 6u);
@@ -94,7 +95,8 @@ TEST_F(Units, SafeWindowsAndTunedValuesScaleWithTheUnit) {
   std::vector<Json> found;
   for (const double unit : kScales) {
     write_crate("crate.toml", unit);
-    found.push_back(answer({"tune", "crate.toml", "--technique", "hard:receiver_plane=none,bias_texels=0,normal_offset_texels=0,map_size=256",
+    found.push_back(answer({"tune", "crate.toml", "--technique",
+                            "hard:receiver_plane=none,bias_texels=0,normal_offset_texels=0,map_size=256",
                             "--parameters", "bias_world", "--evaluations", "12", "--cameras", "1", "--out",
                             fmt::format("tuned{}", unit)}));
   }
@@ -114,14 +116,15 @@ TEST_F(Units, SafeWindowsAndTunedValuesScaleWithTheUnit) {
 TEST_F(Units, ABiasMayBeAsLongAsTheSceneIsLarge) {
   write_crate("crate.toml", 100.0);  // a diagonal of 854 cm
   const auto render = [&](const std::string& bias) {
-    return umbrameter({"render", "crate.toml", "--technique", "hard:bias_world=" + bias, "--width", "32", "--height",
-                       "18", "--json"});
+    return umbrameter({"render", "crate.toml", "--technique", "hard:bias_world=" + bias, "--width", "32",
+                       "--height", "18", "--json"});
   };
   const ProcessResult fine = render("2.02");
   ASSERT_EQ(fine.exit_code, 0) << fine.err;
   EXPECT_THAT(fine.out, HasSubstr("bias_world=2.02"));
   EXPECT_THAT(render("0.01 diagonals").out, HasSubstr("bias_world=8.5"));
-  expect_bad_input(render("500"), "parameter 'bias_world' = 500 is outside its range [0, 427.2] in this scene");
+  expect_bad_input(render("500"),
+                   "parameter 'bias_world' = 500 is outside its range [0, 427.2] in this scene");
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "study/tune/tune.h"
 
 #include "core/error.h"
+#include "study/tune/draw_and_score.h"
 #include "study/tune/lengths.h"
 #include "study/tune/tune_files.h"
 #include "study/tune/tune_json.h"
@@ -211,6 +212,14 @@ TEST_F(Tune, ABlindCameraOnTheArcIsLeftOut) {
   }
 }
 
+TEST_F(Tune, ATruthAndItsSurfacesAreRenderedOncePerCamera) {
+  run();
+  EXPECT_EQ(reference.requests.size(), 17u);  // searched 5, checked 4, held out 8
+  const auto surfaces = std::ranges::count_if(
+      realtime.requests, [](const RenderRequest& request) { return request.technique.empty(); });
+  EXPECT_EQ(surfaces, 17);
+}
+
 TEST_F(Tune, OneCameraIsTunedOnAloneAndScoredElsewhere) {
   plan.cameras = 1;
   const TuneResult result = run();
@@ -400,6 +409,26 @@ TEST_F(Tune, FilesHoldWhatWasMeasured) {
   EXPECT_EQ(sweep["bias"].size(), sweep["acne_share"].size());
 }
 
+TEST_F(Tune, TheEngineBlockNamesWhatEnginesLack) {
+  Parameter plane;
+  plane.name = "receiver_plane";
+  plane.type = ParameterType::choice;
+  plane.choices = {"none", "texel_center"};
+  plane.default_value = std::string("none");
+  plan.parameters.push_back(plane);
+  TuneResult result;
+  result.tuned = {"bias_texels", "receiver_plane"};
+  result.texel_world = 0.25;
+  result.best.values = {{"bias_texels", 2.0}, {"receiver_plane", std::string("texel_center")}};
+  const std::string lacking = "// No engine's light settings have these";
+  EXPECT_THAT(engine_block(plan, result),
+              testing::AllOf(
+                  HasSubstr("bias_texels = 2  // 0.5 world units at 0.25 a texel\n//   Unity URP Depth Bias"),
+                  testing::ContainsRegex(lacking + ".*\nreceiver_plane = texel_center")));
+  result.best.values["receiver_plane"] = std::string("none");
+  EXPECT_THAT(engine_block(plan, result), testing::Not(HasSubstr(lacking)));
+}
+
 TEST_F(Tune, SaysWhatAnObjectiveLacks) {
   plan.objective = Objective::penumbra;  // the fakes' truth has no edge
   try {
@@ -408,6 +437,33 @@ TEST_F(Tune, SaysWhatAnObjectiveLacks) {
   } catch (const Error& error) {
     EXPECT_THAT(error.what(), HasSubstr("plate has nothing that objective 'penumbra' measures"));
   }
+}
+
+TEST(DrawAndScore, ScoresInOrderBesideTheNextDraw) {
+  std::vector<size_t> scored;
+  std::vector<size_t> drawn;
+  const auto frame = [&](size_t i) {
+    drawn.push_back(i);
+    return frame_of(technique_image(0.0f));
+  };
+  const auto score_until = [&](size_t last) {
+    return [&scored, last](size_t i, const Frame& picture) {
+      EXPECT_TRUE(picture.image.has("visibility"));
+      scored.push_back(i);
+      return i != last;
+    };
+  };
+  draw_and_score(4, frame, score_until(9));
+  EXPECT_THAT(scored, testing::ElementsAre(0, 1, 2, 3));
+  scored.clear();
+  drawn.clear();
+  draw_and_score(5, frame, score_until(1));
+  EXPECT_THAT(scored, testing::ElementsAre(0, 1));
+  EXPECT_THAT(drawn, testing::ElementsAre(0, 1, 2));
+  draw_and_score(0, frame, score_until(0));
+  EXPECT_EQ(scored.size(), 2u);
+  const auto broken = [](size_t, const Frame&) -> bool { fail_input("a NaN"); };
+  EXPECT_THROW(draw_and_score(3, frame, broken), Error);
 }
 
 /// Acne below `acne`, peter-panning above `detached`.
