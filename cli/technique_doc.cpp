@@ -38,7 +38,8 @@ std::string list_text(const std::vector<std::string>& items, std::string_view ti
 std::string range_of(const Parameter& parameter) {
   if (parameter.type == ParameterType::choice) return fmt::format("{}", fmt::join(parameter.choices, ", "));
   if (parameter.type == ParameterType::boolean) return "true, false";
-  return fmt::format("{} to {}", parameter.min, parameter.max);
+  return fmt::format("{} to {}{}", parameter.min, parameter.max,
+                     parameter.is_relative_to_scene ? " diagonals" : "");
 }
 
 std::string parameters_text(const Technique& technique) {

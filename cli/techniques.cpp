@@ -35,9 +35,11 @@ Json to_json(const Parameter& parameter) {
     json["max"] = parameter.max;
     json["step"] = parameter.step;
     json["scale"] = to_text(parameter.scale);
+    json["relative_to"] = parameter.is_relative_to_scene ? "scene" : "nothing";
   }
   if (parameter.type == ParameterType::choice) json["choices"] = parameter.choices;
   json["unit"] = parameter.unit;
+  if (!parameter.when.empty()) json["when"] = parameter.when;
   json["stage"] = to_text(parameter.stage);
   json["group"] = parameter.group;
   json["doc"] = parameter.doc;
@@ -86,7 +88,13 @@ std::string range_text(const Parameter& parameter) {
     case ParameterType::real:
       break;
   }
-  return fmt::format("{} .. {} ({})", parameter.min, parameter.max, to_text(parameter.scale));
+  return fmt::format("{} .. {}{} ({})", parameter.min, parameter.max,
+                     parameter.is_relative_to_scene ? " diagonals" : "", to_text(parameter.scale));
+}
+
+std::string documentation_of(const Parameter& parameter) {
+  if (parameter.when.empty()) return parameter.doc;
+  return fmt::format("{} Acts only when {}.", parameter.doc, parameter.when);
 }
 
 std::string describe_technique(const Technique& technique) {
@@ -97,7 +105,7 @@ std::string describe_technique(const Technique& technique) {
   std::vector<std::vector<std::string>> rows;
   for (const Parameter& parameter : technique.parameters) {
     rows.push_back({parameter.name, to_text(parameter.default_value), range_text(parameter), parameter.unit,
-                    parameter.doc});
+                    documentation_of(parameter)});
   }
   text += "\n" + format_table({"parameter", "default", "range", "unit", ""}, rows);
   for (const Preset& preset : technique.presets)

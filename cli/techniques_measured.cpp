@@ -28,9 +28,8 @@ ParameterValues neutral_bias(const TechniqueRun& run, const Home& home) {
   ParameterValues values;
   for (const Parameter& parameter : find_technique(run.technique, home.techniques).parameters) {
     if (parameter.group != "bias") continue;
-    if (parameter.type == ParameterType::real) values[parameter.name] = parameter.min;
-    if (parameter.type == ParameterType::integer)
-      values[parameter.name] = static_cast<int64_t>(parameter.min);
+    if (parameter.type == ParameterType::real || parameter.type == ParameterType::integer)
+      values[parameter.name] = value_of_number(parameter, parameter.min);
     if (parameter.type == ParameterType::boolean) values[parameter.name] = false;
     if (parameter.type == ParameterType::choice) values[parameter.name] = parameter.choices.front();
   }

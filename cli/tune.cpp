@@ -8,11 +8,15 @@
 #include "cli/tune_text.h"
 #include "core/error.h"
 #include "core/files.h"
+#include "realtime/manifest/activity.h"
 #include "study/metadata.h"
+#include "study/tune/lengths.h"
 #include "study/tune/tune_files.h"
 #include "study/tune/tune_json.h"
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace umbrameter {
 namespace {
@@ -32,9 +36,19 @@ struct TuneOptions {
       .quality = "quick", .width = {}, .height = {}, .samples_per_pixel = {}, .target_se = {}, .where = {}};
 };
 
+// Of quality quick without sizes: hundreds of pictures are drawn, from many cameras.
+constexpr int kQuickWidth_px = 320, kQuickHeight_px = 180;
 constexpr int kCoarseFactor = 2;      // of each side; samples go with its square
 constexpr int kLeastCoarse_px = 160;  // across: smaller pictures hold too few penumbrae to rank anything
 constexpr double kMillisecondsPerSecond = 1e3;
+
+Quality choose_tune_quality(QualityOptions options) {
+  if (options.quality == "quick" && !options.width && !options.height) {
+    options.width = kQuickWidth_px;
+    options.height = kQuickHeight_px;
+  }
+  return choose_quality(options);
+}
 
 PictureQuality coarse_picture(PictureQuality picture) {
   picture.width_px /= kCoarseFactor;
@@ -71,6 +85,17 @@ std::vector<SceneJob> load_scenes(const TuneOptions& options, const TunePlan& pl
   return jobs;
 }
 
+/// On any of the scenes.
+IsActive activity(const TunePlan& plan, std::span<const SceneJob> scenes, const Home& home) {
+  std::vector<Light> lights;
+  for (const SceneJob& job : scenes) lights.push_back(job.scene.light());
+  return [technique = find_technique(plan.technique.technique, home.techniques), lights](
+             const Parameter& parameter, const ParameterValues& values) {
+    return std::ranges::any_of(
+        lights, [&](const Light& light) { return is_active(technique, parameter, values, light); });
+  };
+}
+
 void write_results(const std::filesystem::path& out, const TunePlan& plan, const TuneResult& result,
                    const std::string& json) {
   create_folder(out);
@@ -82,10 +107,12 @@ void write_results(const std::filesystem::path& out, const TunePlan& plan, const
 }
 
 int tune(const TuneOptions& options, const GlobalOptions& global) {
-  const Quality quality = choose_quality(options.quality);
+  const Quality quality = choose_tune_quality(options.quality);
   const Home home = find_home();
   TunePlan plan = make_plan(options, home);
   std::vector<SceneJob> scenes = load_scenes(options, plan, scene_search(global, home));
+  resolve_lengths(plan, scenes);
+  plan.is_active = activity(plan, scenes, home);
   const std::filesystem::path out = global.out.empty() ? "tuned" : global.out;
   TruthMemory memory(global, out, !options.no_reuse);
   const auto realtime = open_realtime_renderer(global, home);

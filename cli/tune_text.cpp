@@ -51,22 +51,41 @@ std::string ranking(const TunePlan& plan, const TuneResult& result) {
   return format_table(headings, rows);
 }
 
-std::string end_text(const BiasSweep& sweep, double bias) {
-  const auto texels = sweep.texels(bias), world = sweep.world(bias);
-  if (!texels || !world) return fmt::format("{:.3g} {}", bias, sweep.unit);
-  return fmt::format("{:.3g} texels ({:.3g} world)", *texels, *world);
+std::string end_text(const SafeWindow& window, double end, double texel_world) {
+  const auto texels = in_texels(window.unit, end, texel_world);
+  const auto world = in_world_units(window.unit, end, texel_world);
+  if (texels && world) return fmt::format("{:.3g} texels ({:.3g} world)", *texels, *world);
+  return window.unit == "none" ? fmt::format("{:.3g}", end) : fmt::format("{:.3g} {}", end, window.unit);
 }
 
-std::string window_line(const BiasSweep& sweep) {
-  const std::string name = "safe window of " + sweep.parameter;
-  if (!sweep.is_complete) return name + ": not measured, the time was up\n";
-  if (!sweep.acne_free_from) return name + ": empty, there is acne at any bias\n";
-  if (!sweep.peter_pan_free_to) return name + ": empty, shadows are detached at any bias\n";
-  const std::string from = end_text(sweep, *sweep.acne_free_from);
-  const std::string to = end_text(sweep, *sweep.peter_pan_free_to);
-  if (!sweep.has_window())
-    return fmt::format("{}: empty, acne up to {}, detached shadows from {}\n", name, from, to);
-  return fmt::format("{}: {} to {}\n", name, from, to);
+/// What is wrong below and above a window.
+struct EndWords {
+  const char *always_too_low, *always_too_high, *too_low, *too_high;
+};
+constexpr EndWords kBiasWords{"there is acne at any bias", "shadows are detached at any bias", "acne",
+                              "detached shadows"};
+constexpr EndWords kSizeWords{"penumbrae are too hard at any size", "penumbrae are too soft at any size",
+                              "too hard", "too soft"};
+
+std::string window_text(const SafeWindow& window, double texel_world) {
+  const EndWords& words = window.kind == WindowKind::bias ? kBiasWords : kSizeWords;
+  if (!window.is_complete) return "not measured, the time was up";
+  if (window.points.empty()) return "not measured, no picture has what it is measured by";
+  if (!window.from) return fmt::format("empty, {}", words.always_too_low);
+  if (!window.to) return fmt::format("empty, {}", words.always_too_high);
+  const std::string from = end_text(window, *window.from, texel_world);
+  const std::string to = end_text(window, *window.to, texel_world);
+  if (window.has_window()) return fmt::format("{} to {}", from, to);
+  return fmt::format("empty, {} up to {}, {} from {}", words.too_low, from, words.too_high, to);
+}
+
+std::string window_lines(const TuneResult& result) {
+  std::string text;
+  for (const SafeWindow& window : result.windows) {
+    text += fmt::format("safe window of {}, the rest as {}: {}\n", window.parameter,
+                        window.is_at_tuned ? "tuned" : "given", window_text(window, result.texel_world));
+  }
+  return text;
 }
 
 std::string percent(const std::optional<double>& share) {
@@ -91,7 +110,7 @@ std::string tune_text(const TunePlan& plan, const TuneResult& result) {
                   plan.seed, result.evaluations, result.coarse_evaluations, result.wall_time_s,
                   result.is_converged ? "" : " (the budget ended the search)", ranking(plan, result));
   text += sensitivities(result) + "\n";
-  for (const BiasSweep& sweep : result.bias_sweeps) text += window_line(sweep);
+  text += window_lines(result);
   if (result.grid) {
     text += fmt::format("dense grid of {} evaluations: best {:.4f} of default, tuned {:.4f}\n",
                         result.grid->evaluations, result.grid->best_ratio, result.best.ratio);

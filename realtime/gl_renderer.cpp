@@ -13,6 +13,7 @@
 #include "realtime/harness/gbuffer.h"
 #include "realtime/harness/readback.h"
 #include "realtime/manifest/names.h"
+#include "realtime/manifest/technique_cache.h"
 #include "realtime/realtime.h"
 #include "realtime/recently_used.h"
 #include "scenes/local_scene.h"
@@ -110,6 +111,7 @@ class GlRenderer final : public Renderer {
  public:
   explicit GlRenderer(const RealtimeSettings& settings)
       : settings_(settings),
+        techniques_(settings.techniques_folder, settings.shaders_folder),
         context_(settings.device),
         programs_(shader_search_folders(settings.shaders_folder)),
         gbuffer_renderer_(programs_, settings.shaders_folder, context_.limits()),
@@ -196,10 +198,11 @@ class GlRenderer final : public Renderer {
   }
 
   std::shared_ptr<GlRun> make_run(const Scene& scene, const RenderRequest& request, bool is_timed) {
-    const Technique declared =
-        find_technique(request.technique, settings_.techniques_folder, settings_.shaders_folder);
+    const std::shared_ptr<const Technique> found = techniques_.find(request.technique);
+    const Technique& declared = *found;
     require_support(declared, scene.light());
-    const ParameterValues parameters = resolve_parameters(declared, request.parameters);
+    const ParameterValues parameters = in_world(
+        declared.parameters, resolve_parameters(declared, request.parameters), scene.bounds_world.diagonal());
     auto run = std::make_shared<GlRun>(context_, with_stages(declared, parameters), parameters);
     run->scene = scene_on_gpu(scene);
     run->picture = picture_of(scene, request);
@@ -273,6 +276,7 @@ class GlRenderer final : public Renderer {
   }
 
   RealtimeSettings settings_;
+  TechniqueCache techniques_;
   GlContext context_;  // before everything that lives in it
   ProgramCache programs_;
   GBufferRenderer gbuffer_renderer_;

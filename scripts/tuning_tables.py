@@ -72,7 +72,8 @@ def against(result):
 def windows(results):
     counts = {}
     for result in results.values():
-        for sweep in result["bias_sweep"]:
+        # Beside the tuned values, where they were measured: those come last.
+        for sweep in {sweep["parameter"]: sweep for sweep in result["bias_sweep"]}.values():
             if not sweep["is_complete"]:
                 continue
             with_window, all_of_them = counts.get((result["technique"], sweep["parameter"]), (0, 0))

@@ -1,33 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "realtime/executor/run_inputs.h"
 
+#include "realtime/manifest/activity.h"
 #include "realtime/manifest/names.h"
 
 #include <cmath>
 
 namespace umbrameter {
-namespace {
-
-glm::dvec2 full_extent(const Light& light) {
-  if (light.type == LightType::rect) return light.size_world;
-  if (light.type == LightType::sun) return glm::dvec2(2.0 * std::tan(light.half_angle_rad));
-  return glm::dvec2(2.0 * light.radius_world);
-}
-
-}  // namespace
-
 ExpressionVariables run_variables(const RunInputs& inputs) {
   ExpressionVariables variables = parameter_variables(inputs.technique.parameters, inputs.values);
-  const Light& light = inputs.scene.light();
-  const glm::dvec2 extent = full_extent(light);
+  variables.merge(light_variables(inputs.scene.light()));
   variables["screen.width"] = inputs.gbuffer.width();
   variables["screen.height"] = inputs.gbuffer.height();
-  variables["light.width"] = extent.x;
-  variables["light.height"] = extent.y;
-  variables["light.type"] = static_cast<double>(light.type);
-  for (const LightType type : {LightType::rect, LightType::disk, LightType::sphere, LightType::sun}) {
-    variables[fmt::format("light.{}", to_text(type))] = static_cast<double>(type);
-  }
   return variables;
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/names.h"
 #include "realtime/manifest/check_technique.h"
 #include "realtime/manifest/expression.h"
 #include "realtime/manifest/names.h"
@@ -35,6 +36,26 @@ void check_is_read(const Manifest& manifest, const Parameter& parameter,
              parameter.where, in_expressions ? "only expressions use it: stage = \"host\"" : "");
 }
 
+/// What `when` may look at: other parameters, their choices, the light.
+void check_when(const Technique& technique, const Parameter& parameter) {
+  if (parameter.when.empty()) return;
+  std::vector<std::string> known;
+  for (const Parameter& other : technique.parameters) {
+    if (other.name == parameter.name) continue;
+    known.push_back(other.name);
+    for (const std::string& choice : other.choices) known.push_back(choice_variable(other, choice));
+  }
+  for (const std::string& name : builtin_variables()) {
+    if (name.starts_with("light.")) known.push_back(name);
+  }
+  for (const std::string& name : expression_names(parameter.when, parameter.where)) {
+    if (std::ranges::find(known, name) != known.end()) continue;
+    fail_input(
+        fmt::format("parameter '{}': unknown name '{}' in when = '{}'", parameter.name, name, parameter.when),
+        parameter.where, suggest_name(name, known));
+  }
+}
+
 void check_presets(const Manifest& manifest) {
   const Technique& technique = manifest.technique;
   std::set<std::string> names;
@@ -69,6 +90,7 @@ void check_constraint(const Technique& technique, const ExpressionText& constrai
 void check_parameters(const Manifest& manifest, const std::set<std::string, std::less<>>& shader_tokens) {
   for (const Parameter& parameter : manifest.technique.parameters)
     check_is_read(manifest, parameter, shader_tokens);
+  for (const Parameter& parameter : manifest.technique.parameters) check_when(manifest.technique, parameter);
   const ParameterValues defaults = default_values(manifest.technique.parameters);
   for (const ExpressionText& constraint : manifest.constraints) {
     check_constraint(manifest.technique, constraint, defaults, "the defaults");

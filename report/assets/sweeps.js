@@ -29,7 +29,7 @@ function makeSweeps() {
   for (const sweep of page.bias_sweeps) {
     const root = document.getElementById("sweep").content.cloneNode(true).firstElementChild;
     const owner = [sweep.scene, sweep.technique].filter(text => text).join(", ") || sweep.file;
-    root.querySelector("figcaption").textContent = `${owner}: ${sweep.parameter} (${sweep.file})`;
+    root.querySelector("figcaption").textContent = `${owner}: ${sweep.parameter}${sweep.beside ? `, the rest as ${sweep.beside}` : ""} (${sweep.file})`;
     root.querySelector("p").textContent = windowText(sweep);
     root.querySelector("canvas").setAttribute("aria-label", `Bias sweep of ${owner}`);
     section.append(root);

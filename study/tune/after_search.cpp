@@ -14,8 +14,7 @@ namespace umbrameter {
 namespace {
 
 double score_on(const Judge& judge, bool is_held_out, Candidate& candidate) {
-  std::vector<std::optional<ObjectiveValue>> measures;
-  for (size_t i = 0; i < judge.views().size(); ++i) measures.push_back(judge.measure(i, candidate.values));
+  const Judge::Measures measures = judge.measures(candidate.values);
   const std::vector<double> ratios = judge.ratios_of(measures);
   for (size_t i = 0; i < ratios.size(); ++i)
     candidate.scores.push_back({judge.views()[i].name, is_held_out, measures[i], ratios[i]});
@@ -50,35 +49,6 @@ std::optional<double> rise_elsewhere(Judge& judge, const Trial& best, const Para
     if (here && (!least || *here < *least)) least = here;
   }
   return least;
-}
-
-std::optional<BiasPoint> measure_bias(Studio& studio, const Judge& judge, Objective objective,
-                                      const ParameterValues& values, double bias) {
-  BiasPoint point{bias, 0.0, {}};
-  bool is_measured = true;
-  const auto failure = guarded([&] {
-    for (const View& view : judge.views()) {
-      const Frame frame = studio.render(view, values);
-      const auto measured = measure_objective(objective, frame.image, view.reference, view.mask, false);
-      const FaultShares shares = measure_fault_shares(frame.image, view.reference, view.mask);
-      is_measured = is_measured && measured.has_value();
-      point.objective += measured ? measured->value / static_cast<double>(judge.views().size()) : 0.0;
-      point.shares.acne = std::max(point.shares.acne, shares.acne);
-      point.shares.peter_panning = std::max(point.shares.peter_panning, shares.peter_panning);
-    }
-  });
-  return failure || !is_measured ? std::nullopt : std::optional(point);
-}
-
-double median_texel_world(Studio& studio, const View& view, const ParameterValues& values) {
-  const Frame frame = studio.render(view, values);
-  if (!frame.image.has("texel_world")) return 0.0;
-  std::vector<double> widths;
-  const auto plane = frame.image.plane("texel_world");
-  for (size_t i = 0; i < plane.size(); ++i) {
-    if (view.mask[i] != 0 && plane[i] > 0.0f) widths.push_back(static_cast<double>(plane[i]));
-  }
-  return median_if_any(std::move(widths)).value_or(0.0);
 }
 
 size_t grid_levels(const Parameter& axis, int steps) {
@@ -116,11 +86,13 @@ std::optional<Interval> gain_over(const Judge& judge, bool is_held_out, const Ca
 }
 
 std::vector<Sensitivity> measure_sensitivities(Judge& judge, const SearchSpace& space,
-                                               const SearchResult& search, const GoesOn& goes_on) {
+                                               const IsActive& is_active, const SearchResult& search,
+                                               const GoesOn& goes_on) {
   std::vector<Sensitivity> all;
   const Trial& best = search.best;
   for (size_t i = 0; i < space.size() && goes_on(); ++i) {
     const Parameter& axis = space[i];
+    if (is_active && !is_active(axis, best.values)) continue;
     Sensitivity one{axis.name, {}, {}, search.effects[i].relative_spread};
     if (is_ordered(axis)) {
       const ParameterValue& value = best.values.at(axis.name);
@@ -134,23 +106,8 @@ std::vector<Sensitivity> measure_sensitivities(Judge& judge, const SearchSpace& 
   return all;
 }
 
-std::vector<BiasSweep> sweep_biases(Studio& studio, const Judge& judge, const SearchSpace& space,
-                                    Objective objective, const ParameterValues& best, const GoesOn& goes_on) {
-  std::vector<BiasSweep> sweeps;
-  for (const Parameter& axis : space) {
-    if (!is_bias_length(axis)) continue;
-    const MeasureBias measure = [&](double bias) {
-      ParameterValues values = best;
-      values[axis.name] = bias;
-      return measure_bias(studio, judge, objective, values, bias);
-    };
-    sweeps.push_back(sweep_bias(axis, measure, goes_on));
-    sweeps.back().texel_world = median_texel_world(studio, judge.views().front(), best);
-  }
-  return sweeps;
-}
-
-GridCheck check_grid(Judge& judge, const SearchSpace& space, const ParameterValues& base, int steps) {
+GridCheck check_grid(Judge& judge, const SearchSpace& space, const IsActive& is_active,
+                     const ParameterValues& base, int steps) {
   size_t count = 1;
   for (const Parameter& axis : space) {
     count *= grid_levels(axis, steps);
@@ -169,7 +126,7 @@ GridCheck check_grid(Judge& judge, const SearchSpace& space, const ParameterValu
       point.push_back(grid_position(axis, rest % levels, levels));
       rest /= levels;
     }
-    const ParameterValues values = values_at(space, point, base);
+    const ParameterValues values = without_inactive(space, is_active, values_at(space, point, base), base);
     const double ratio = judge.ratio(values);
     if (!(ratio < check.best_ratio)) continue;
     check.best_ratio = ratio;

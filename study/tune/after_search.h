@@ -4,13 +4,11 @@
 
 #include "study/tune/judge.h"
 #include "study/tune/tune.h"
+#include "study/tune/windows.h"
 
-#include <functional>
 #include <vector>
 
 namespace umbrameter {
-
-using GoesOn = std::function<bool()>;
 
 /// Sets scores and ratios on the judges' views; `held_out` may be null.
 void score_candidate(const Judge& trained, const Judge* held_out, Candidate& candidate);
@@ -19,16 +17,14 @@ void score_candidate(const Judge& trained, const Judge* held_out, Candidate& can
 std::optional<Interval> gain_over(const Judge& judge, bool is_held_out, const Candidate& tuned,
                                   const Candidate& candidate);
 
-/// One step from `best` on every axis; axes from where the time is up are left out.
+/// One step from `best` on every axis that acts; axes from where the time is up are left out.
 std::vector<Sensitivity> measure_sensitivities(Judge& judge, const SearchSpace& space,
-                                               const SearchResult& search, const GoesOn& goes_on);
-
-/// Every tuned bias that is a length, the other values as in `best`. Faults are the worst over views.
-std::vector<BiasSweep> sweep_biases(Studio& studio, const Judge& judge, const SearchSpace& space,
-                                    Objective objective, const ParameterValues& best, const GoesOn& goes_on);
+                                               const IsActive& is_active, const SearchResult& search,
+                                               const GoesOn& goes_on);
 
 /// Every point of a grid of `steps` a number and all choices. Error{input} for more than kMaxGridPoints.
 inline constexpr size_t kMaxGridPoints = 20000;
-GridCheck check_grid(Judge& judge, const SearchSpace& space, const ParameterValues& base, int steps);
+GridCheck check_grid(Judge& judge, const SearchSpace& space, const IsActive& is_active,
+                     const ParameterValues& base, int steps);
 
 }  // namespace umbrameter

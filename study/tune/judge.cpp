@@ -4,6 +4,7 @@
 #include "core/error.h"
 #include "metrics/verdict.h"
 #include "study/guard.h"
+#include "study/tune/draw_and_score.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,18 +25,22 @@ double mean_of(const std::vector<double>& ratios) {
 
 Judge::Judge(Studio& studio, std::vector<View> views, Objective objective, const ParameterValues& defaults)
     : studio_(studio), views_(std::move(views)), objective_(objective) {
-  std::vector<std::optional<ObjectiveValue>> measures;
-  for (const View& view : views_) {
-    const Frame frame = studio.render(view, defaults);
-    const auto measured = measure_objective(objective, frame.image, view.reference, view.mask, false);
-    if (!measured) {
-      fail_input(fmt::format("{} has nothing that objective '{}' measures", view.name, name_of(objective)),
-                 {}, "choose another objective");
+  Measures found(views_.size());
+  draw_and_score(
+      views_.size(), [&](size_t i) { return studio_.render(views_[i], defaults); },
+      [&](size_t i, const Frame& frame) {
+        found[i] = measure_objective(objective, frame.image, views_[i].reference, views_[i].mask, false);
+        return found[i].has_value();
+      });
+  for (size_t i = 0; i < views_.size(); ++i) {
+    if (!found[i]) {
+      fail_input(
+          fmt::format("{} has nothing that objective '{}' measures", views_[i].name, name_of(objective)), {},
+          "choose another objective");
     }
-    scales_.push_back(std::max(measured->value, kLeastScale));
-    measures.push_back(measured);
+    scales_.push_back(std::max(found[i]->value, kLeastScale));
   }
-  known_[key_of(defaults)] = ratios_of(measures);
+  known_[key_of(defaults)] = ratios_of(found);
 }
 
 double Judge::ratio(const ParameterValues& values) {
@@ -64,31 +69,26 @@ std::optional<Interval> Judge::gain_on(size_t index, const ParameterValues& ours
 const std::vector<double>& Judge::ratios(const ParameterValues& values) {
   const auto [place, is_new] = known_.try_emplace(key_of(values));
   if (!is_new) return place->second;
-  std::vector<std::optional<ObjectiveValue>> measures(views_.size());
-  for (size_t i = 0; i < views_.size(); ++i) {
-    measures[i] = measure(i, values, false);
-    if (!measures[i]) break;  // what fails on one view is no answer for the others
-  }
-  return place->second = ratios_of(measures);
+  return place->second = ratios_of(measures(values, false));
 }
 
-std::optional<ObjectiveValue> Judge::measure(size_t view, const ParameterValues& values) const {
-  return measure(view, values, true);
-}
-
-std::optional<ObjectiveValue> Judge::measure(size_t index, const ParameterValues& values,
-                                             bool with_interval) const {
-  const View& view = views_[index];
-  std::optional<ObjectiveValue> measured;
-  // Values that a technique's constraints forbid fail here: a wall of the search, not its end.
+Judge::Measures Judge::measures(const ParameterValues& values, bool with_interval) const {
+  Measures found(views_.size());
+  // Values that a technique's constraints forbid fail here: a wall of the search, not its end. What fails on one view is
+  // no answer for the others.
   guarded([&] {
-    const Frame frame = studio_.render(view, values);
-    measured = measure_objective(objective_, frame.image, view.reference, view.mask, with_interval);
+    draw_and_score(
+        views_.size(), [&](size_t i) { return studio_.render(views_[i], values); },
+        [&](size_t i, const Frame& frame) {
+          found[i] =
+              measure_objective(objective_, frame.image, views_[i].reference, views_[i].mask, with_interval);
+          return found[i].has_value();
+        });
   });
-  return measured;
+  return found;
 }
 
-std::vector<double> Judge::ratios_of(const std::vector<std::optional<ObjectiveValue>>& measures) const {
+std::vector<double> Judge::ratios_of(const Measures& measures) const {
   std::vector<double> all;
   for (size_t i = 0; i < measures.size(); ++i)
     all.push_back(measures[i] ? measures[i]->value / scales_[i] : kNone);

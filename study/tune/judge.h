@@ -21,6 +21,8 @@ class Judge {
   /// Measures `defaults` on all views; Error{input} when one has nothing to measure.
   Judge(Studio& studio, std::vector<View> views, Objective objective, const ParameterValues& defaults);
 
+  using Measures = std::vector<std::optional<ObjectiveValue>>;  // one a view
+
   /// Infinite when a view has no objective or fails. Never renders the same values twice.
   double ratio(const ParameterValues& values);
 
@@ -32,17 +34,17 @@ class Judge {
   std::optional<Interval> gain_on(size_t view, const ParameterValues& ours,
                                   const ParameterValues& other) const;
 
-  /// On one view, with its interval; absent as above.
-  std::optional<ObjectiveValue> measure(size_t view, const ParameterValues& values) const;
+  /// On every view, with intervals; absent where there is no objective, and from where a picture fails.
+  Measures measures(const ParameterValues& values) const { return measures(values, true); }
   /// The ratios of such measures, one a view.
-  std::vector<double> ratios_of(const std::vector<std::optional<ObjectiveValue>>& measures) const;
+  std::vector<double> ratios_of(const Measures& measures) const;
 
   /// Different values rendered so far.
   size_t evaluations() const { return known_.size(); }
   const std::vector<View>& views() const { return views_; }
 
  private:
-  std::optional<ObjectiveValue> measure(size_t view, const ParameterValues& values, bool with_interval) const;
+  Measures measures(const ParameterValues& values, bool with_interval) const;
 
   Studio& studio_;
   std::vector<View> views_;

@@ -10,7 +10,7 @@
 namespace umbrameter {
 namespace {
 
-constexpr int kCoarseLevels = 5;      // tried of a number
+constexpr int kCoarseLevels = 5;      // tried of a number that matters
 constexpr double kMatters = 2e-3;     // relative spread from which an axis is searched further
 constexpr size_t kMostAxes = 6;       // searched together; the others one by one
 constexpr double kFirstStep = 0.125;  // half of a coarse level
@@ -31,12 +31,21 @@ std::vector<double> coarse_positions(const Parameter& axis) {
   return positions;
 }
 
-/// Tries the coarse levels of an axis from the best trial; the spread of what is finite over the best.
-void screen(Trials& trials, size_t axis, AxisEffect& effect) {
+/// Those that every axis gets before any gets them all: all of a choice, the second and the fourth of a number.
+std::vector<double> first_positions(const Parameter& axis) {
+  const std::vector<double> all = coarse_positions(axis);
+  if (!is_ordered(axis) || all.size() < kCoarseLevels) return all;
+  return {all[1], all[all.size() - 2]};
+}
+
+/// Tries levels of an axis from the best trial; the spread of what is finite over the best.
+void screen(Trials& trials, size_t axis, const std::vector<double>& positions, AxisEffect& effect) {
+  effect.is_active = trials.is_active(axis);
+  if (!effect.is_active) return;
   const Trial start = trials.best();
   double low = start.objective, high = start.objective;
-  std::set<ParameterValue> measured;
-  for (const double position : coarse_positions(trials.space()[axis])) {
+  std::set<ParameterValue> measured{value_at(trials.space()[axis], start.point[axis])};
+  for (const double position : positions) {
     Point point = start.point;
     point[axis] = position;
     const double objective = trials.at(point);
@@ -92,9 +101,17 @@ class Search {
     numbers_ = strongest(trials_.space(), effects_);
   }
 
+  /// A few levels of every axis; then all of those numbers that matter, the strongest first.
   void screen_all() {
-    for (size_t i = 0; i < effects_.size(); ++i) screen(trials_, i, effects_[i]);
-    numbers_ = strongest(trials_.space(), effects_);
+    const SearchSpace& space = trials_.space();
+    for (const bool numbers : {false, true}) {  // choices first: they say which numbers act
+      for (size_t i = 0; i < space.size(); ++i) {
+        if (is_ordered(space[i]) == numbers) screen(trials_, i, first_positions(space[i]), effects_[i]);
+      }
+    }
+    for (const size_t i : strongest(space, effects_))
+      screen(trials_, i, coarse_positions(space[i]), effects_[i]);
+    numbers_ = strongest(space, effects_);
   }
 
   void search_wide() {
@@ -147,8 +164,9 @@ constexpr double kWorthAnotherRound = 1e-3;  // relative improvement
 
 SearchResult minimise(const SearchSpace& space, std::span<const ParameterValues> starts,
                       const ParameterValues& base, const ObjectiveFunction& objective,
-                      const SearchBudget& budget, std::span<const AxisEffect> known_effects) {
-  Trials trials(space, base, objective, budget);
+                      const SearchBudget& budget, const IsActive& is_active,
+                      std::span<const AxisEffect> known_effects) {
+  Trials trials(space, base, objective, budget, is_active);
   for (const ParameterValues& start : starts) trials.at(point_of(space, start));
   if (trials.all().empty() || !std::isfinite(trials.best().objective))
     fail_input("the objective cannot be measured where the search starts");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The search: coarse levels of every axis, then NLopt's global and local methods on the axes that matter, then each
+// The search: a few levels of every axis, more of those that matter, then NLopt's global and local methods on the axes that matter, then each
 // axis by itself. Needs no gradients: near the onset of acne an objective is a step.
 
 #include "study/tune/trials.h"
@@ -14,7 +14,8 @@ namespace umbrameter {
 struct AxisEffect {
   std::string parameter;
   double relative_spread = 0.0;
-  size_t values = 0;  // coarse levels that were measured; 0: the budget ended before
+  size_t values = 0;      // that were measured, the start's among them; 0: the budget ended before
+  bool is_active = true;  // false: it never acted beside the best values, and cost nothing
 };
 
 struct SearchResult {
@@ -29,6 +30,7 @@ struct SearchResult {
 /// arguments try the same points. Error{input} when no start has a finite objective.
 SearchResult minimise(const SearchSpace& space, std::span<const ParameterValues> starts,
                       const ParameterValues& base, const ObjectiveFunction& objective,
-                      const SearchBudget& budget, std::span<const AxisEffect> known_effects = {});
+                      const SearchBudget& budget, const IsActive& is_active = {},
+                      std::span<const AxisEffect> known_effects = {});
 
 }  // namespace umbrameter

@@ -113,8 +113,16 @@ std::optional<ObjectiveValue> measure_objective(Objective objective, const Image
   return std::nullopt;
 }
 
+std::optional<double> measure_width_octaves(const Image& test, const Image& reference,
+                                            std::span<const uint8_t> mask) {
+  const auto octaves = measure_penumbra(test, reference, mask).width_octaves;
+  return octaves ? std::optional(octaves->median) : std::nullopt;
+}
+
 FaultShares measure_fault_shares(const Image& test, const Image& reference, std::span<const uint8_t> mask) {
-  const FaultNumbers faults = diagnose(test, reference, mask).numbers.faults;
+  const auto profiles = measure_penumbra(test, reference, mask).profiles;
+  const Faults faults =
+      classify_faults(test, reference, mask, profiles, measure_envelope(test, reference, mask, profiles));
   if (faults.scored_pixels == 0) return {};
   const auto share = [&](FaultClass fault) {
     return static_cast<double>(faults.of(fault).pixels) / static_cast<double>(faults.scored_pixels);

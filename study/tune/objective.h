@@ -42,6 +42,9 @@ struct FaultShares {
   double acne = 0.0;
   double peter_panning = 0.0;
 };
+/// Octaves by which the median penumbra is wider than the truth's, negative where it is narrower; absent without any.
+std::optional<double> measure_width_octaves(const Image& test, const Image& reference,
+                                            std::span<const uint8_t> mask);
 FaultShares measure_fault_shares(const Image& test, const Image& reference, std::span<const uint8_t> mask);
 
 }  // namespace umbrameter

@@ -10,8 +10,9 @@ namespace umbrameter {
 namespace {
 
 constexpr std::array<std::string_view, 4> kCostUnits{"taps", "samples", "count", "px"};
-// Lengths and scales that start at 0 span orders of magnitude: half way is an eighth of the range.
-constexpr double kPowerFromZero = 3.0;
+// Lengths and scales that start at 0 span orders of magnitude: half way is an eighth of the range. World units reach
+// from a texel of a close-up to the scene's size: half way is a 32nd.
+constexpr double kPowerFromZero = 3.0, kPowerOfWorld = 5.0;
 constexpr double kZeroBelow =
     0.02;  // of such an axis: a hundred thousandth of the range is meant to be nothing
 constexpr double kStep = 0.05;
@@ -26,6 +27,10 @@ bool starts_at_zero(const Parameter& axis) {
          axis.max > 0.0 && axis.step == 0.0 && !is_share(axis);
 }
 
+double power_from_zero(const Parameter& axis) {
+  return axis.unit == "world" ? kPowerOfWorld : kPowerFromZero;
+}
+
 bool is_logarithmic(const Parameter& axis) {
   return axis.scale != ParameterScale::linear;
 }
@@ -33,7 +38,7 @@ bool is_logarithmic(const Parameter& axis) {
 double number_at(const Parameter& axis, double position) {
   if (is_logarithmic(axis)) return axis.min * std::pow(axis.max / axis.min, position);
   if (starts_at_zero(axis) && position < kZeroBelow) return 0.0;
-  if (starts_at_zero(axis)) return axis.max * std::pow(position, kPowerFromZero);
+  if (starts_at_zero(axis)) return axis.max * std::pow(position, power_from_zero(axis));
   return axis.min + position * (axis.max - axis.min);
 }
 
@@ -118,7 +123,7 @@ double position_of(const Parameter& axis, const ParameterValue& value) {
   if (!is_ordered(axis)) return (number + 0.5) / level_count(axis);
   if (axis.min == axis.max) return 0.0;
   if (is_logarithmic(axis)) return std::log(number / axis.min) / std::log(axis.max / axis.min);
-  if (starts_at_zero(axis)) return std::pow(number / axis.max, 1.0 / kPowerFromZero);
+  if (starts_at_zero(axis)) return std::pow(number / axis.max, 1.0 / power_from_zero(axis));
   return (number - axis.min) / (axis.max - axis.min);
 }
 
@@ -143,6 +148,16 @@ Point point_of(const SearchSpace& space, const ParameterValues& values) {
     point.push_back(position_of(axis, found == values.end() ? axis.default_value : found->second));
   }
   return point;
+}
+
+ParameterValues without_inactive(const SearchSpace& space, const IsActive& is_active,
+                                 const ParameterValues& values, const ParameterValues& base) {
+  if (!is_active) return values;
+  ParameterValues plain = values;
+  for (const Parameter& axis : space) {
+    if (!is_active(axis, values)) plain[axis.name] = base.at(axis.name);
+  }
+  return plain;
 }
 
 }  // namespace umbrameter

@@ -4,6 +4,7 @@
 
 #include "core/parameters.h"
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,6 +14,8 @@ namespace umbrameter {
 
 using SearchSpace = std::vector<Parameter>;
 using Point = std::vector<double>;  // [0,1] per axis
+/// Whether a parameter acts on a picture beside complete values; none given: every one does.
+using IsActive = std::function<bool(const Parameter&, const ParameterValues&)>;
 
 /// Numbers have an order; choices and booleans are tried one by one.
 bool is_ordered(const Parameter& parameter);
@@ -39,5 +42,10 @@ std::optional<ParameterValue> neighbour(const Parameter& axis, const ParameterVa
 /// One value per axis, the others as in `base`.
 ParameterValues values_at(const SearchSpace& space, const Point& point, const ParameterValues& base);
 Point point_of(const SearchSpace& space, const ParameterValues& values);
+
+/// `values` with every axis that does not act beside them back at `base`: of all sets with the same picture the one that
+/// is rendered.
+ParameterValues without_inactive(const SearchSpace& space, const IsActive& is_active,
+                                 const ParameterValues& values, const ParameterValues& base);
 
 }  // namespace umbrameter

@@ -4,11 +4,11 @@
 namespace umbrameter {
 
 Trials::Trials(const SearchSpace& space, const ParameterValues& base, const ObjectiveFunction& objective,
-               const SearchBudget& budget)
-    : space_(space), base_(base), objective_(objective), budget_(budget) {}
+               const SearchBudget& budget, const IsActive& is_active)
+    : space_(space), base_(base), objective_(objective), budget_(budget), is_active_(is_active) {}
 
 double Trials::at(const Point& point) {
-  ParameterValues values = values_at(space_, point, base_);
+  ParameterValues values = without_inactive(space_, is_active_, values_at(space_, point, base_), base_);
   const std::string key = key_of(values);
   if (const auto found = known_.find(key); found != known_.end()) return all_[found->second].objective;
   if (is_over() && !all_.empty()) return std::numeric_limits<double>::infinity();
@@ -17,6 +17,10 @@ double Trials::at(const Point& point) {
   all_.push_back({std::move(values), point, objective});
   if (objective < best().objective) best_ = all_.size() - 1;
   return objective;
+}
+
+bool Trials::is_active(size_t axis) const {
+  return !is_active_ || is_active_(space_[axis], best().values);
 }
 
 bool Trials::is_over() const {

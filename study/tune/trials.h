@@ -31,9 +31,10 @@ struct SearchBudget {
 class Trials {
  public:
   Trials(const SearchSpace& space, const ParameterValues& base, const ObjectiveFunction& objective,
-         const SearchBudget& budget);
+         const SearchBudget& budget, const IsActive& is_active = {});
 
-  /// The objective there, from memory if any point of the same values was tried. Infinite once the budget is spent, but
+  /// The objective there, from memory if any point of the same picture was tried: one of the same values, but for those that
+  /// do not act. Infinite once the budget is spent, but
   /// never for the first.
   double at(const Point& point);
 
@@ -43,12 +44,15 @@ class Trials {
   /// The least objective so far; the first trial while none is finite. Needs one trial.
   const Trial& best() const { return all_[best_]; }
   const SearchSpace& space() const { return space_; }
+  /// Whether the axis acts beside the values of the best trial.
+  bool is_active(size_t axis) const;
 
  private:
   const SearchSpace& space_;
   const ParameterValues& base_;
   const ObjectiveFunction& objective_;
   const SearchBudget& budget_;
+  IsActive is_active_;
   std::vector<Trial> all_;
   std::map<std::string, size_t> known_;
   size_t best_ = 0;

@@ -7,6 +7,7 @@
 #include "study/tune/after_search.h"
 #include "study/tune/candidates.h"
 #include "study/tune/settle.h"
+#include "study/tune/windows.h"
 
 #include <algorithm>
 #include <map>
@@ -15,8 +16,9 @@ namespace umbrameter {
 namespace {
 
 constexpr double kCoarseShare = 0.5;  // of the search's evaluations and time
-constexpr double kSearchShare = 0.7;  // of the time
-constexpr size_t kKept = 5;           // coarse trials that are tried at full size
+// Of the time, until when each goes on.
+constexpr double kSearchShare = 0.7, kTunedWindowsShare = 0.8;
+constexpr size_t kKept = 5;  // coarse trials that are tried at full size
 
 size_t default_evaluations(size_t axes) {
   return 40 + 20 * axes;
@@ -33,10 +35,14 @@ class Tuning {
         candidates_(make_candidates(plan, space_)),
         studio_(realtime, plan.technique.technique, plan.seed, progress) {}
 
+  /// Windows first, then the optimum, then what it competes with: whatever the time, what is asked most is there.
   TuneResult run() {
+    result_.notes = plan_.notes;
     Judge judge(studio_, searched_views(plan_.full), plan_.objective, base());
-    std::optional<Judge> checked = plan_.cameras > 1 ? judge_elsewhere(judge, kCheckedShares) : std::nullopt;
     start_search_ = Clock::now();
+    result_.texel_world = median_texel_world(studio_, judge.views().front(), base());
+    result_.windows = windows(judge, base(), 1.0);
+    std::optional<Judge> checked = plan_.cameras > 1 ? judge_elsewhere(judge, kCheckedShares) : std::nullopt;
     progress_.begin("tuning " + plan_.technique.id, evaluations());
     SearchResult found = search(judge);
     const ParameterValues kept = settle(space_, found, by_hand(), judge, checked ? &*checked : nullptr);
@@ -47,12 +53,14 @@ class Tuning {
     result_.best.values = kept;
     result_.full_trials = found.trials;
     result_.is_converged = found.is_converged;
+    find_tuned_windows(judge);
     std::optional<Judge> held_out = judge_elsewhere(judge, kHeldOutShares);
     if (!held_out) result_.notes.push_back("no held-out score: no other camera sees enough");
     compare(judge, held_out, true);
     explain(judge, found);
     compare(judge, held_out, false);
-    if (plan_.grid_steps > 0) result_.grid = check_grid(judge, space_, base(), plan_.grid_steps);
+    if (plan_.grid_steps > 0)
+      result_.grid = check_grid(judge, space_, plan_.is_active, base(), plan_.grid_steps);
     for (const SceneJob& job : scenes_) result_.scenes.push_back(job.name);
     for (const Parameter& axis : space_) result_.tuned.push_back(axis.name);
     result_.device = studio_.render(judge.views().front(), base()).device;
@@ -64,7 +72,11 @@ class Tuning {
   const ParameterValues& base() const { return plan_.technique.parameters; }
 
   size_t evaluations() const {
-    return plan_.evaluations > 0 ? plan_.evaluations : default_evaluations(space_.size());
+    if (plan_.evaluations > 0) return plan_.evaluations;
+    const auto acts = [&](const Parameter& axis) {
+      return !plan_.is_active || plan_.is_active(axis, base());
+    };
+    return default_evaluations(static_cast<size_t>(std::ranges::count_if(space_, acts)));
   }
 
   std::function<bool()> time_is_up_after(double share) const {
@@ -93,17 +105,20 @@ class Tuning {
     // settle() may ask for one more an axis.
     const size_t count = evaluations() - std::min(evaluations() / 2, space_.size());
     if (!plan_.coarse)
-      return minimise(space_, starts(), base(), counted(judge), {count, time_is_up_after(share)});
+      return minimise(space_, starts(), base(), counted(judge), {count, time_is_up_after(share)},
+                      plan_.is_active);
     Judge coarse(studio_, searched_views(*plan_.coarse), plan_.objective, base());
     const auto coarse_count = static_cast<size_t>(kCoarseShare * static_cast<double>(count));
-    const SearchResult first = minimise(space_, starts(), base(), counted(coarse),
-                                        {coarse_count, time_is_up_after(kCoarseShare * share)});
+    const SearchResult first =
+        minimise(space_, starts(), base(), counted(coarse),
+                 {coarse_count, time_is_up_after(kCoarseShare * share)}, plan_.is_active);
     result_.coarse_trials = first.trials;
     result_.coarse_evaluations = coarse.evaluations();
     std::vector<ParameterValues> kept = best_values(first.trials, kKept);
     kept.push_back(first.trials.front().values);  // the first start, which is known to work
     return minimise(space_, kept, base(), counted(judge),
-                    {count - std::min(count, first.trials.size()), time_is_up_after(share)}, first.effects);
+                    {count - std::min(count, first.trials.size()), time_is_up_after(share)}, plan_.is_active,
+                    first.effects);
   }
 
   /// As they are rendered: a preset's values in the search's digits.
@@ -161,9 +176,34 @@ class Tuning {
     }
   }
 
-  /// Parameters whose levels were tried and made no difference.
+  std::vector<SafeWindow> windows(const Judge& judge, const ParameterValues& values, double time_share) {
+    return find_windows(studio_, judge, space_, plan_.is_active, plan_.objective, values,
+                        [is_up = time_is_up_after(time_share)] { return !is_up(); });
+  }
+
+  /// Beside the values that were found, if they are others.
+  void find_tuned_windows(const Judge& judge) {
+    if (result_.best.values == base()) return;
+    std::vector<SafeWindow> found = windows(judge, result_.best.values, kTunedWindowsShare);
+    const auto is_complete = [](const SafeWindow& window) { return window.is_complete; };
+    if (!std::ranges::all_of(found, is_complete))
+      result_.notes.push_back("the time was up: not every safe window was measured beside the tuned values");
+    for (SafeWindow& window : found) {
+      if (!window.is_complete) continue;
+      window.is_at_tuned = true;
+      result_.windows.push_back(std::move(window));
+    }
+  }
+
+  /// Parameters that did not act, and those whose levels were tried and made no difference.
   void name_idle(const SearchResult& found) {
     for (const AxisEffect& effect : found.effects) {
+      if (!effect.is_active) {
+        const Parameter& parameter = find_parameter(plan_.parameters, effect.parameter, plan_.technique.id);
+        result_.notes.push_back(
+            fmt::format("'{}' was not tuned: it acts only when {}", effect.parameter, parameter.when));
+        continue;
+      }
       if (effect.values < 2 || effect.relative_spread >= kWorthChanging) continue;
       result_.notes.push_back(
           fmt::format("'{}' need not be tuned here: {} values change the objective by {:.2g} % at most",
@@ -174,9 +214,8 @@ class Tuning {
   void explain(Judge& judge, const SearchResult& found) {
     name_idle(found);
     const GoesOn goes_on = [is_up = time_is_up_after(1.0)] { return !is_up(); };
-    result_.bias_sweeps = sweep_biases(studio_, judge, space_, plan_.objective, result_.best.values, goes_on);
-    result_.sensitivities = measure_sensitivities(judge, space_, found, goes_on);
-    if (!goes_on()) result_.notes.push_back("the time was up: windows or sensitivities are incomplete");
+    result_.sensitivities = measure_sensitivities(judge, space_, plan_.is_active, found, goes_on);
+    if (!goes_on()) result_.notes.push_back("the time was up: sensitivities are incomplete");
   }
 
   std::span<SceneJob> scenes_;

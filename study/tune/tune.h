@@ -3,8 +3,8 @@
 // Auto-tune: the parameters of one technique that make an objective least on one scene or on several, what they are worth
 // beside the defaults and presets, on cameras they were not made for, and how far they may be moved.
 
-#include "study/tune/bias_window.h"
 #include "study/tune/minimise.h"
+#include "study/tune/safe_window.h"
 #include "study/tune/views.h"
 
 #include <functional>
@@ -25,6 +25,7 @@ struct TunePlan {
   std::vector<Parameter> parameters;  // all of the technique's
   std::vector<NamedValues> presets;
   std::vector<std::string> tuned;  // names; empty: choose_search_space
+  IsActive is_active;              // of the manifest's conditions, on any of the scenes; none: all act
   Objective objective = Objective::rmse;
   uint64_t seed = 1;
   size_t evaluations = 0;  // most, of the search
@@ -33,6 +34,7 @@ struct TunePlan {
   int grid_steps = 0;              // of numbers; 0: no dense grid to check the search with
   std::optional<Fidelity> coarse;  // where the search begins; absent: at full size
   Fidelity full;
+  std::vector<std::string> notes;  // go into the result's
 };
 
 /// The objective on one view.
@@ -74,8 +76,9 @@ struct TuneResult {
   std::vector<std::string> scenes;
   std::vector<std::string> tuned;
   Candidate best;
-  std::vector<Candidate> others;  // default, presets
-  std::vector<BiasSweep> bias_sweeps;
+  std::vector<Candidate> others;    // default, presets
+  std::vector<SafeWindow> windows;  // beside the values as given; where others were found, beside those too
+  double texel_world = 0.0;  // median width of a texel on the receivers of the first view; 0 when not known
   std::vector<Sensitivity> sensitivities;
   std::vector<Trial> coarse_trials, full_trials;   // objective: mean of ratios to the default's
   size_t coarse_evaluations = 0, evaluations = 0;  // different values rendered until the best were found

@@ -2,6 +2,7 @@
 #include "study/tune/tune_files.h"
 
 #include "core/version.h"
+#include "study/tune/engine_settings.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -26,12 +27,14 @@ std::string summary(const TunePlan& plan, const TuneResult& result) {
 
 /// The same length in the other unit.
 std::string in_other_unit(const TuneResult& result, const Parameter& parameter, const ParameterValue& value) {
-  const auto sweep = std::ranges::find(result.bias_sweeps, parameter.name, &BiasSweep::parameter);
-  if (sweep == result.bias_sweeps.end() || !(sweep->texel_world > 0.0)) return "";
-  const double bias = std::get<double>(value);
+  if (parameter.type != ParameterType::real || !(result.texel_world > 0.0)) return "";
+  const double length = std::get<double>(value);
+  const std::optional<double> texels = in_texels(parameter.unit, length, result.texel_world),
+                              world = in_world_units(parameter.unit, length, result.texel_world);
+  if (!texels || !world) return "";
   if (parameter.unit == "texels")
-    return fmt::format("  // {:.3g} world units at {:.3g} a texel", *sweep->world(bias), sweep->texel_world);
-  return fmt::format("  // {:.3g} texels of {:.3g} world units", *sweep->texels(bias), sweep->texel_world);
+    return fmt::format("  // {:.3g} world units at {:.3g} a texel", *world, result.texel_world);
+  return fmt::format("  // {:.3g} texels of {:.3g} world units", *texels, result.texel_world);
 }
 
 }  // namespace
@@ -50,14 +53,24 @@ std::string preset_toml(const TunePlan& plan, const TuneResult& result) {
   return text;
 }
 
+/// What engines have a setting for, or do not need, then what they lack.
 std::string engine_block(const TunePlan& plan, const TuneResult& result) {
-  std::string text = fmt::format("// {}\n", summary(plan, result));
+  std::string settings, lacking;
   for (const Parameter& parameter : plan.parameters) {
     if (!is_tuned(result, parameter.name)) continue;
     const ParameterValue& value = result.best.values.at(parameter.name);
-    text +=
+    const std::string_view engines = engine_settings_of(parameter.name);
+    std::string line =
         fmt::format("{} = {}{}\n", parameter.name, to_text(value), in_other_unit(result, parameter, value));
+    if (!engines.empty()) line += fmt::format("//   {}\n", engines);
+    (engines.empty() && !is_neutral(parameter, value) ? lacking : settings) += line;
   }
+  std::string text = fmt::format("// {}\n{}", summary(plan, result), settings);
+  if (!lacking.empty())
+    text +=
+        "// No engine's light settings have these: they need a shader that does the same, or a search "
+        "without them (--parameters).\n" +
+        lacking;
   return text;
 }
 

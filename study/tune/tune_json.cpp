@@ -38,31 +38,52 @@ Json candidate_json(const Candidate& candidate) {
           {"parameters", parameters_json(candidate.values)}};
 }
 
-Json length_json(const BiasSweep& sweep, const std::optional<double>& bias) {
-  if (!bias) return nullptr;
-  return {{"texels", optional_json(sweep.texels(*bias))}, {"world", optional_json(sweep.world(*bias))}};
+Json end_json(const SafeWindow& window, const std::optional<double>& end, double texel_world) {
+  if (!end) return nullptr;
+  if (window.kind == WindowKind::light_size) return *end;
+  return {{"texels", optional_json(in_texels(window.unit, *end, texel_world))},
+          {"world", optional_json(in_world_units(window.unit, *end, texel_world))}};
 }
 
-Json sweep_json(const BiasSweep& sweep) {
-  Json bias = Json::array(), objective = Json::array(), acne = Json::array(), peter_panning = Json::array();
-  for (const BiasPoint& point : sweep.points) {
-    bias.push_back(point.bias);
+/// How a kind of window is called in the file.
+struct WindowNames {
+  const char *from, *to, *value, *too_low, *too_high;
+};
+constexpr WindowNames kBiasNames{"acne_free_from", "peter_pan_free_to", "bias", "acne_share",
+                                 "peter_panning_share"};
+constexpr WindowNames kSizeNames{"hard_free_from", "soft_free_to", "scale", "too_hard_octaves",
+                                 "too_soft_octaves"};
+
+Json window_json(const SafeWindow& window, double texel_world) {
+  Json value = Json::array(), objective = Json::array(), too_low = Json::array(), too_high = Json::array();
+  for (const WindowPoint& point : window.points) {
+    value.push_back(point.value);
     objective.push_back(point.objective);
-    acne.push_back(point.shares.acne);
-    peter_panning.push_back(point.shares.peter_panning);
+    too_low.push_back(point.too_low);
+    too_high.push_back(point.too_high);
   }
-  return {{"parameter", sweep.parameter},
-          {"unit", sweep.unit},
-          {"texel_world", sweep.texel_world},
-          {"tolerance_share", kWindowTolerance},
-          {"is_complete", sweep.is_complete},
-          {"has_window", sweep.has_window()},
-          {"acne_free_from", length_json(sweep, sweep.acne_free_from)},
-          {"peter_pan_free_to", length_json(sweep, sweep.peter_pan_free_to)},
-          {"bias", bias},
+  const WindowNames& names = window.kind == WindowKind::bias ? kBiasNames : kSizeNames;
+  return {{"parameter", window.parameter},
+          {"unit", window.unit},
+          {"beside", window.is_at_tuned ? "tuned" : "given"},
+          {"texel_world", texel_world},
+          {"tolerance", tolerance_of(window.kind)},
+          {"is_complete", window.is_complete},
+          {"has_window", window.has_window()},
+          {names.from, end_json(window, window.from, texel_world)},
+          {names.to, end_json(window, window.to, texel_world)},
+          {names.value, value},
           {"objective", objective},
-          {"acne_share", acne},
-          {"peter_panning_share", peter_panning}};
+          {names.too_low, too_low},
+          {names.too_high, too_high}};
+}
+
+Json windows_json(const TuneResult& result, WindowKind kind) {
+  Json all = Json::array();
+  for (const SafeWindow& window : result.windows) {
+    if (window.kind == kind) all.push_back(window_json(window, result.texel_world));
+  }
+  return all;
 }
 
 Json trials_json(const std::vector<Trial>& trials, const std::vector<std::string>& tuned) {
@@ -85,9 +106,8 @@ Json grid_json(const std::optional<GridCheck>& grid) {
 }  // namespace
 
 std::string to_json_text(const TunePlan& plan, const TuneResult& result) {
-  Json others = Json::array(), sweeps = Json::array(), sensitivities = Json::array();
+  Json others = Json::array(), sensitivities = Json::array();
   for (const Candidate& candidate : result.others) others.push_back(candidate_json(candidate));
-  for (const BiasSweep& sweep : result.bias_sweeps) sweeps.push_back(sweep_json(sweep));
   for (const Sensitivity& one : result.sensitivities) {
     sensitivities.push_back({{"parameter", one.parameter},
                              {"rise_below", optional_json(one.rise_below)},
@@ -113,7 +133,8 @@ std::string to_json_text(const TunePlan& plan, const TuneResult& result) {
                {"is_converged", result.is_converged},
                {"best", candidate_json(result.best)},
                {"others", others},
-               {"bias_sweep", sweeps},
+               {"bias_sweep", windows_json(result, WindowKind::bias)},
+               {"light_size_sweep", windows_json(result, WindowKind::light_size)},
                {"sensitivity", sensitivities},
                {"grid", grid_json(result.grid)},
                {"engine", engine_block(plan, result)},

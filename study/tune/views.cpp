@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -118,26 +119,45 @@ std::optional<View> turned_view(Studio& studio, const View& own, double angle_de
   return view && sees_enough(*view, own) ? std::move(view) : std::nullopt;
 }
 
-double find_reach(Studio& studio, const View& own, double side) {
+double find_reach(Studio& studio, const View& own, double side, std::vector<View>& ends) {
   for (const double angle_deg : kArcs_deg) {
-    if (turned_view(studio, own, side * angle_deg)) return angle_deg;
+    auto view = turned_view(studio, own, side * angle_deg);
+    if (!view) continue;
+    ends.push_back(std::move(*view));
+    return angle_deg;
   }
   return 0.0;
+}
+
+std::optional<View> take_end(Arc& arc, const View& own, double angle_deg) {
+  const auto end = std::ranges::find_if(arc.ends, [&](const View& view) {
+    return view.angle_deg == angle_deg && view.fidelity.width_px == own.fidelity.width_px &&
+           view.fidelity.reference == own.fidelity.reference;
+  });
+  if (end == arc.ends.end()) return std::nullopt;
+  std::optional<View> view = std::move(*end);
+  arc.ends.erase(end);
+  return view;
 }
 
 }  // namespace
 
 Arc find_arc(Studio& studio, const View& own) {
-  return {find_reach(studio, own, kSides[0]), find_reach(studio, own, kSides[1])};
+  Arc arc;
+  arc.left_deg = find_reach(studio, own, kSides[0], arc.ends);
+  arc.right_deg = find_reach(studio, own, kSides[1], arc.ends);
+  return arc;
 }
 
-std::vector<View> make_turned_views(Studio& studio, const View& own, const Arc& arc,
+std::vector<View> make_turned_views(Studio& studio, const View& own, Arc& arc,
                                     std::span<const double> shares) {
   std::vector<View> views;
   for (const double share : shares) {
     for (const double angle_deg : {-arc.left_deg * share, arc.right_deg * share}) {
       if (angle_deg == 0.0) continue;
-      if (auto view = turned_view(studio, own, angle_deg)) views.push_back(std::move(*view));
+      auto view = take_end(arc, own, angle_deg);
+      if (!view) view = turned_view(studio, own, angle_deg);
+      if (view) views.push_back(std::move(*view));
     }
   }
   return views;

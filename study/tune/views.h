@@ -57,6 +57,7 @@ Camera orbit(const Camera& camera, double angle_deg);
 /// How far the cameras of a scene go to the left and to the right, in degrees; 0 where none sees enough.
 struct Arc {
   double left_deg = 0.0, right_deg = 0.0;
+  std::vector<View> ends;  // as they were made to find this, until they are taken
 };
 
 /// 26 degrees to either side, or a half or a quarter of that where the outermost camera does not see 30 % of the scene, of the
@@ -70,8 +71,8 @@ inline constexpr std::array kSearchedShares = {0.5, 1.0};
 inline constexpr std::array kCheckedShares = {0.25, 0.75};
 inline constexpr std::array kHeldOutShares = {0.125, 0.375, 0.625, 0.875};
 
-/// Views from there, as `own` is made. A camera is left out where the renderers disagree, and where it does not see enough.
-std::vector<View> make_turned_views(Studio& studio, const View& own, const Arc& arc,
+/// Views from there, as `own` is made; takes the arc's ends where they are asked for. A camera is left out where the renderers disagree, and where it does not see enough.
+std::vector<View> make_turned_views(Studio& studio, const View& own, Arc& arc,
                                     std::span<const double> shares);
 
 }  // namespace umbrameter

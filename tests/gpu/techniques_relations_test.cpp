@@ -2,7 +2,7 @@
 // What every technique owes whatever its picture: sane values, no self-shadowing, parameters that act.
 
 #include "core/error.h"
-#include "realtime/manifest/technique.h"
+#include "realtime/manifest/activity.h"
 #include "tests/gpu/technique_fixture.h"
 #include "tests/support/procedural_scene.h"
 
@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 
 namespace umbrameter {
 namespace {
@@ -40,7 +41,7 @@ std::vector<ParameterValue> alternatives(const Parameter& parameter) {
     case ParameterType::real:
       break;
   }
-  return {parameter.min, parameter.max};
+  return {value_of_number(parameter, parameter.min), value_of_number(parameter, parameter.max)};
 }
 
 bool holds_constraints(const Technique& technique, const ParameterValues& values) {
@@ -96,6 +97,33 @@ std::vector<ParameterValues> starting_points(const Technique& technique) {
 }
 
 class EachTechnique : public testing::TestWithParam<std::string> {};
+
+/// The first of `points` beside which the parameter is said not to act.
+std::optional<ParameterValues> without_effect(const Technique& technique, const Parameter& parameter,
+                                              const std::vector<ParameterValues>& points,
+                                              const Light& light) {
+  for (const ParameterValues& values : points) {
+    if (!is_active(technique, parameter, resolve_parameters(technique, values), light)) return values;
+  }
+  return std::nullopt;
+}
+
+TEST_P(EachTechnique, parameters_act_only_when_their_manifest_says) {
+  UMBRAMETER_REQUIRE_GL();
+  const auto all = techniques();
+  const Technique& technique = *std::ranges::find(all, GetParam(), &Technique::id);
+  const std::vector<ParameterValues> points = starting_points(technique);
+  for (const LightType type : {LightType::rect, LightType::sun}) {
+    const Scene scene = busy_scene(light_at_4(type, 0.5));
+    if (!technique.supports(type)) continue;
+    for (const Parameter& parameter : technique.parameters) {
+      const auto values = without_effect(technique, parameter, points, scene.light());
+      if (!values) continue;
+      const Start start{*values, visibility(scene, technique.id, *values)};
+      EXPECT_FALSE(acts_on(scene, technique, parameter, start)) << parameter.name << " " << to_text(type);
+    }
+  }
+}
 
 TEST_P(EachTechnique, has_no_parameter_without_effect) {
   UMBRAMETER_REQUIRE_GL();

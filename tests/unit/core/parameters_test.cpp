@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <vector>
+
 namespace umbrameter {
 namespace {
 
@@ -57,6 +59,52 @@ TEST(Parameters, DeclarationsMustBeConsistent) {
   expect_input_error(
       [] { parameter_from("name = 'a'\ntype = 'rael'\ndefault = 3\nstage = 'uniform'\ndoc = 'd'\n"); },
       "did you mean 'real'?");
+}
+
+const char* const kLength =
+    "name = 'bias_world'\ntype = 'real'\ndefault = 0.01\nmin = 0\nmax = 0.5\nunit = 'world'\nrelative_to = "
+    "'scene'\nstage = 'uniform'\ndoc = 'd'\n";
+
+TEST(Parameters, LengthsFollowTheScenesSize) {
+  const Parameter length = parameter_from(kLength);
+  EXPECT_EQ(length.default_value, ParameterValue(std::string("0.01 diagonals")));
+  for (const double diagonal_world : {0.01, 1.0, 854.0}) {
+    const Parameter here = in_world(length, diagonal_world);
+    EXPECT_FALSE(here.is_relative_to_scene);
+    EXPECT_DOUBLE_EQ(here.max, 0.5 * diagonal_world);
+    EXPECT_DOUBLE_EQ(std::get<double>(here.default_value), 0.01 * diagonal_world);
+    const ParameterValues values =
+        in_world(std::vector{length}, default_values(std::vector{length}), diagonal_world);
+    EXPECT_EQ(values.at("bias_world"), here.default_value);
+  }
+  const ParameterValue given = parse_parameter_value(length, "2.02");
+  EXPECT_EQ(in_world(length, given, 85.0), ParameterValue(2.02));
+  EXPECT_EQ(in_world(length, parse_parameter_value(length, "0.25 diagonals"), 8.0), ParameterValue(2.0));
+}
+
+TEST(Parameters, LengthsBeyondTheSceneAreErrors) {
+  const Parameter length = parameter_from(kLength);
+  expect_input_error(
+      [&] { in_world(length, 2.02, 1.5); },
+      "'bias_world' = 2.02 is outside its range [0, 0.75] in this scene (world units; the scene's "
+      "diagonal is 1.5, and 0 to 0.5 of it are allowed)");
+  expect_input_error([&] { parse_parameter_value(length, "-1"); },
+                     "'bias_world' = -1 is outside its range [0, 0.5] diagonals of the scene");
+  expect_input_error([&] { parse_parameter_value(length, "0.6 diagonals"); },
+                     "'bias_world' = 0.6 diagonals is outside its range [0, 0.5]");
+  expect_input_error([&] { parse_parameter_value(length, "2 m"); },
+                     "wants a number of world units or \"<number> diagonals\", not '2 m'");
+  expect_input_error([&] { parse_parameter_value(length, "inf"); }, "is outside its range");
+}
+
+TEST(Parameters, OnlyLengthsInWorldUnitsFollowTheScene) {
+  expect_input_error(
+      [] {
+        parameter_from(
+            "name = 'a'\ntype = 'real'\ndefault = 0\nmin = 0\nmax = 1\nunit = 'texels'\nrelative_to = "
+            "'scene'\nstage = 'uniform'\ndoc = 'd'\n");
+      },
+      "parameter 'a' cannot follow the scene's size");
 }
 
 TEST(Parameters, UnknownNamesGetTheNearest) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Without these, a slip in a technique's folder would be measured instead of reported.
 
+#include "realtime/manifest/activity.h"
 #include "tests/unit/realtime/whole_manifest.h"
 
 #include <gmock/gmock.h>
@@ -93,6 +94,28 @@ TEST(Manifest, ScreenAndLightAreKnownToExpressions) {
   EXPECT_NO_THROW(
       load(folder, replaced(whole_manifest(), "width = \"map_size\"",
                             "width = \"light.type == light.sun ? map_size : ceil(screen.width / 2)\"")));
+}
+
+TEST(Manifest, ParametersSayWhenTheyAct) {
+  const auto softness_when = [](const std::string& when) {
+    return replaced(whole_manifest(), "doc = \"Softness.\"", "when = \"" + when + "\"\ndoc = \"Softness.\"");
+  };
+  TechniqueFolder folder;
+  const Technique technique =
+      load(folder, softness_when("taps > 4 && map_fit == map_fit.scene && light.type != light.sun"));
+  const Parameter& softness = find_parameter(technique.parameters, "softness", "tried");
+  ParameterValues values = default_values(technique.parameters);
+  Light light;
+  EXPECT_FALSE(is_active(technique, softness, values, light));
+  values["taps"] = int64_t{5};
+  EXPECT_TRUE(is_active(technique, softness, values, light));
+  light.type = LightType::sun;
+  EXPECT_FALSE(is_active(technique, softness, values, light));
+  EXPECT_TRUE(is_active(technique, technique.parameters.front(), values, light));
+  for (const std::string when : {"softness > 0", "tapes > 4", "screen.width > 4"})
+    EXPECT_THAT(error_of(folder, softness_when(when)),
+                AllOf(HasSubstr("parameter 'softness': unknown name"), HasSubstr(when)));
+  EXPECT_THAT(error_of(folder, softness_when("taps >")), HasSubstr("unexpected end"));
 }
 
 TEST(Manifest, ChoicesAreKnownToExpressions) {

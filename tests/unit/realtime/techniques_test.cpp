@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Groups of parameters, what a technique is found by, and how its parameters get their values.
 
+#include "realtime/manifest/technique_cache.h"
 #include "tests/support/source_dir.h"
 #include "tests/unit/realtime/whole_manifest.h"
 
@@ -86,6 +87,18 @@ TEST(Techniques, AreFoundByIdAndByPath) {
   }
 }
 
+TEST(Techniques, AreReadAgainOnlyWhenTheirFilesChanged) {
+  TechniqueFolder folder;
+  load(folder, whole_manifest());
+  TechniqueCache cache(folder.techniques_folder(), TechniqueFolder::shaders_folder());
+  const auto first = cache.find("tried");
+  EXPECT_EQ(cache.find("tried"), first);
+  folder.write("technique.toml", replaced(whole_manifest(), "default = 4", "default = 16"));
+  EXPECT_EQ(cache.find("tried")->parameters.front().default_value, ParameterValue(int64_t{16}));
+  folder.write("unused.glsl", "// new\n");
+  EXPECT_NE(cache.find("tried")->hash, first->hash);
+}
+
 TEST(Parameters, ResolveDefaultsThenPresetThenOverrides) {
   TechniqueFolder folder;
   const Technique technique = load(folder, whole_manifest());
@@ -126,6 +139,15 @@ TEST(Parameters, IntegersServeForRealParameters) {
 TEST(Techniques, OfTheLibraryLoad) {
   const auto realtime = source_dir() / "realtime";
   EXPECT_GE(list_techniques(realtime / "techniques").size(), 4u);
+}
+
+// A range of ours in metres would be wrong in centimetres.
+TEST(Techniques, OfTheLibraryHaveNoRangeInWorldUnits) {
+  for (const Technique& technique : list_techniques(source_dir() / "realtime" / "techniques")) {
+    for (const Parameter& parameter : technique.parameters)
+      EXPECT_EQ(parameter.unit == "world", parameter.is_relative_to_scene)
+          << technique.id << " " << parameter.name;
+  }
 }
 
 }  // namespace

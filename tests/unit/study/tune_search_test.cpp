@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -179,6 +180,46 @@ TEST(Minimise, TellsWhichAxisMatters) {
   ASSERT_EQ(found.effects.size(), 3u);
   EXPECT_EQ(found.effects[2].relative_spread, 0.0);
   EXPECT_GT(found.effects[0].relative_spread, 0.5);
+}
+
+TEST(Minimise, ScreensEveryAxisBeforeAnyGetsAllItsLevels) {
+  SearchSpace space;
+  for (int i = 0; i < 8; ++i) space.push_back(axis(fmt::format("p{}", i), 0, 1, "none"));
+  const auto objective = [](const ParameterValues& values) {  // the last axis alone matters
+    return 1.0 + square(number(values, "p7") - 0.4);
+  };
+  const SearchResult found = search(space, objective, 1 + 8 * 2);  // the start, and two levels an axis
+  for (const AxisEffect& effect : found.effects) EXPECT_EQ(effect.values, 3u) << effect.parameter;
+  EXPECT_GT(found.effects[7].relative_spread, 0.1);
+  const SearchResult more = search(space, objective, 1 + 8 * 2 + 3);
+  EXPECT_EQ(more.effects[6].values, 3u);
+  EXPECT_EQ(more.effects[7].values, 5u);
+}
+
+TEST(Minimise, WhatDoesNotActIsNeverMoved) {
+  SearchSpace space = {choice_axis("curve", {"physical", "squared"}), axis("radius", 0, 1, "none"),
+                       axis("x", 0, 1, "none")};
+  const IsActive is_active = [](const Parameter& parameter, const ParameterValues& values) {
+    return parameter.name != "radius" || values.at("curve") == ParameterValue(std::string("squared"));
+  };
+  const auto with_curve_worth = [&](double worth) {
+    const ObjectiveFunction objective = [worth](const ParameterValues& values) {
+      const bool is_squared = values.at("curve") == ParameterValue(std::string("squared"));
+      const double curve = is_squared ? worth + square(number(values, "radius") - 0.3) : 0.5;
+      return curve + square(number(values, "x") - 0.6);
+    };
+    const ParameterValues start = default_values(space);
+    return minimise(space, std::span(&start, 1), start, objective, {80, {}}, is_active);
+  };
+  const SearchResult physical = with_curve_worth(1.0);
+  EXPECT_FALSE(physical.effects[1].is_active);
+  for (const Trial& trial : physical.trials) {
+    const bool is_physical = trial.values.at("curve") == ParameterValue(std::string("physical"));
+    EXPECT_TRUE(!is_physical || number(trial.values, "radius") == 1.0);
+  }
+  const SearchResult squared = with_curve_worth(0.0);
+  EXPECT_TRUE(squared.effects[1].is_active);
+  EXPECT_NEAR(number(squared.best.values, "radius"), 0.3, 0.02);
 }
 
 TEST(Minimise, SaysWhenNothingCanBeMeasured) {

@@ -5,6 +5,8 @@
 #include "study/tune/tune.h"
 
 #include "core/error.h"
+#include "study/tune/draw_and_score.h"
+#include "study/tune/lengths.h"
 #include "study/tune/tune_files.h"
 #include "study/tune/tune_json.h"
 #include "tests/unit/study/fakes.h"
@@ -210,6 +212,14 @@ TEST_F(Tune, ABlindCameraOnTheArcIsLeftOut) {
   }
 }
 
+TEST_F(Tune, ATruthAndItsSurfacesAreRenderedOncePerCamera) {
+  run();
+  EXPECT_EQ(reference.requests.size(), 17u);  // searched 5, checked 4, held out 8
+  const auto surfaces = std::ranges::count_if(
+      realtime.requests, [](const RenderRequest& request) { return request.technique.empty(); });
+  EXPECT_EQ(surfaces, 17);
+}
+
 TEST_F(Tune, OneCameraIsTunedOnAloneAndScoredElsewhere) {
   plan.cameras = 1;
   const TuneResult result = run();
@@ -255,7 +265,10 @@ TEST_F(Tune, AHurriedOneStillComparesAndSaysWhatIsMissing) {
   EXPECT_EQ(hurried.full_trials.size(), 1u);
   EXPECT_EQ(hurried.others.size(), 2u);  // not the preset with its own taps
   EXPECT_TRUE(hurried.sensitivities.empty());
-  EXPECT_THAT(hurried.notes, testing::ElementsAre(HasSubstr("windows"), HasSubstr("engine (own cost)")));
+  EXPECT_THAT(hurried.notes,
+              testing::ElementsAre(HasSubstr("sensitivities"), HasSubstr("engine (own cost)")));
+  ASSERT_EQ(hurried.windows.size(), 1u);
+  EXPECT_FALSE(hurried.windows[0].is_complete);
 }
 
 TEST_F(Tune, OnlyWhatWasTriedIsSaidToMakeNoDifference) {
@@ -268,13 +281,53 @@ TEST_F(Tune, OnlyWhatWasTriedIsSaidToMakeNoDifference) {
   plan.presets = {{"engine", {{"bias_texels", 1.5}, {"slope", 0.5}}}};
   const auto is_named = [&] {
     return std::ranges::any_of(run().notes, [](const std::string& note) {
-      return note.find("'slope' need not be tuned here: 5 values") != std::string::npos;
+      return note.find("'slope' need not be tuned here: 3 values") != std::string::npos;
     });
   };
   EXPECT_TRUE(is_named());
   plan.evaluations =
       6;  // two values of it were rendered, of the default and the preset, which differ in the bias, too
   for (const std::string& note : run().notes) EXPECT_THAT(note, testing::Not(HasSubstr("slope")));
+}
+
+TEST_F(Tune, WhatDoesNotActCostsNothing) {
+  const TuneResult before = run();
+  Parameter curve;
+  curve.name = "curve_scale";
+  curve.default_value = 1.0;
+  curve.max = 8.0;
+  curve.when = "curve == curve.squared";
+  plan.parameters.push_back(curve);
+  plan.technique.parameters = default_values(plan.parameters);
+  plan.is_active = [](const Parameter& parameter, const ParameterValues&) {
+    return parameter.name != "curve_scale";
+  };
+  plan.evaluations = 40 - 1;  // settle() is left one an axis
+  const TuneResult result = run();
+  EXPECT_EQ(result.full_trials.size(), before.full_trials.size());
+  EXPECT_EQ(result.best.values.at("curve_scale"), ParameterValue(1.0));
+  EXPECT_EQ(result.sensitivities.size(), 1u);
+  EXPECT_THAT(result.notes,
+              testing::Contains(HasSubstr("'curve_scale' was not tuned: it acts only when curve == ")));
+}
+
+TEST_F(Tune, WindowsComeFirst) {
+  plan.cameras = 1;
+  const TuneResult result = run();
+  ASSERT_EQ(result.windows.size(), 2u);
+  EXPECT_FALSE(result.windows[0].is_at_tuned);
+  EXPECT_TRUE(result.windows[1].is_at_tuned);
+  EXPECT_TRUE(result.windows[0].is_complete && result.windows[1].is_complete);
+  std::vector<double> first;
+  for (const RenderRequest& request : realtime.requests) {
+    if (!request.technique.empty()) first.push_back(bias_of(request.parameters));
+  }
+  // The defaults, a look at the texels, and then at once the eight levels of the window.
+  ASSERT_GT(first.size(), 10u);
+  EXPECT_EQ(first[0], 4.0);
+  EXPECT_EQ(first[1], 4.0);
+  EXPECT_EQ(first[2], 0.0);
+  EXPECT_EQ(first[9], 32.0);
 }
 
 TEST_F(Tune, KeepsToThePresetThatIsAsGood) {
@@ -356,6 +409,26 @@ TEST_F(Tune, FilesHoldWhatWasMeasured) {
   EXPECT_EQ(sweep["bias"].size(), sweep["acne_share"].size());
 }
 
+TEST_F(Tune, TheEngineBlockNamesWhatEnginesLack) {
+  Parameter plane;
+  plane.name = "receiver_plane";
+  plane.type = ParameterType::choice;
+  plane.choices = {"none", "texel_center"};
+  plane.default_value = std::string("none");
+  plan.parameters.push_back(plane);
+  TuneResult result;
+  result.tuned = {"bias_texels", "receiver_plane"};
+  result.texel_world = 0.25;
+  result.best.values = {{"bias_texels", 2.0}, {"receiver_plane", std::string("texel_center")}};
+  const std::string lacking = "// No engine's light settings have these";
+  EXPECT_THAT(engine_block(plan, result),
+              testing::AllOf(
+                  HasSubstr("bias_texels = 2  // 0.5 world units at 0.25 a texel\n//   Unity URP Depth Bias"),
+                  testing::ContainsRegex(lacking + ".*\nreceiver_plane = texel_center")));
+  result.best.values["receiver_plane"] = std::string("none");
+  EXPECT_THAT(engine_block(plan, result), testing::Not(HasSubstr(lacking)));
+}
+
 TEST_F(Tune, SaysWhatAnObjectiveLacks) {
   plan.objective = Objective::penumbra;  // the fakes' truth has no edge
   try {
@@ -366,39 +439,122 @@ TEST_F(Tune, SaysWhatAnObjectiveLacks) {
   }
 }
 
-/// Acne below `acne`, peter-panning above `detached`.
-BiasSweep sweep(double acne, double detached) {
-  const MeasureBias measure = [=](double bias) {
-    return BiasPoint{bias, 0.1, {bias < acne ? 0.02 : 0.0, bias > detached ? 0.03 : 0.0}};
+TEST(DrawAndScore, ScoresInOrderBesideTheNextDraw) {
+  std::vector<size_t> scored;
+  std::vector<size_t> drawn;
+  const auto frame = [&](size_t i) {
+    drawn.push_back(i);
+    return frame_of(technique_image(0.0f));
   };
-  return sweep_bias(bias_parameter(), measure, [] { return true; });
+  const auto score_until = [&](size_t last) {
+    return [&scored, last](size_t i, const Frame& picture) {
+      EXPECT_TRUE(picture.image.has("visibility"));
+      scored.push_back(i);
+      return i != last;
+    };
+  };
+  draw_and_score(4, frame, score_until(9));
+  EXPECT_THAT(scored, testing::ElementsAre(0, 1, 2, 3));
+  scored.clear();
+  drawn.clear();
+  draw_and_score(5, frame, score_until(1));
+  EXPECT_THAT(scored, testing::ElementsAre(0, 1));
+  EXPECT_THAT(drawn, testing::ElementsAre(0, 1, 2));
+  draw_and_score(0, frame, score_until(0));
+  EXPECT_EQ(scored.size(), 2u);
+  const auto broken = [](size_t, const Frame&) -> bool { fail_input("a NaN"); };
+  EXPECT_THROW(draw_and_score(3, frame, broken), Error);
 }
 
-TEST(BiasWindow, LiesBetweenAcneAndPeterPanning) {
-  BiasSweep found = sweep(0.5, 3.0);
+/// Acne below `acne`, peter-panning above `detached`.
+SafeWindow window(double acne, double detached, size_t* measured = nullptr) {
+  const MeasureWindow measure = [=](double bias) {
+    if (measured != nullptr) ++*measured;
+    return WindowPoint{bias, 0.1, bias < acne ? 0.02 : 0.0, bias > detached ? 0.03 : 0.0};
+  };
+  return find_window(bias_parameter(), measure, [] { return true; });
+}
+
+TEST(SafeWindows, LieBetweenAcneAndPeterPanning) {
+  size_t measured = 0;
+  const SafeWindow found = window(0.5, 3.0, &measured);
   ASSERT_TRUE(found.has_window());
-  // A 14th of the axis, halved three times: 0.02 cbrt(32) / 2.24 of the cube root.
-  EXPECT_NEAR(std::cbrt(*found.acne_free_from), std::cbrt(0.5), 0.03);
-  EXPECT_NEAR(std::cbrt(*found.peter_pan_free_to), std::cbrt(3.0), 0.03);
-  EXPECT_GE(*found.acne_free_from, 0.5);
-  EXPECT_LE(*found.peter_pan_free_to, 3.0);
-  found.texel_world = 0.25;
-  EXPECT_DOUBLE_EQ(*found.world(2.0), 0.5);
-  EXPECT_DOUBLE_EQ(*found.texels(2.0), 2.0);
+  EXPECT_LE(measured, 16u);  // eight levels, and both ends halved four times
+  // A 7th of the axis, halved four times: 0.009 cbrt(32) of the cube root.
+  EXPECT_NEAR(std::cbrt(*found.from), std::cbrt(0.5), 0.03);
+  EXPECT_NEAR(std::cbrt(*found.to), std::cbrt(3.0), 0.03);
+  EXPECT_GE(*found.from, 0.5);
+  EXPECT_LE(*found.to, 3.0);
+  EXPECT_DOUBLE_EQ(*in_world_units(found.unit, 2.0, 0.25), 0.5);
+  EXPECT_DOUBLE_EQ(*in_texels(found.unit, 2.0, 0.25), 2.0);
+  EXPECT_DOUBLE_EQ(*in_texels("world", 2.0, 0.25), 8.0);
+  EXPECT_FALSE(in_texels("world", 2.0, 0.0));
+  EXPECT_FALSE(in_texels("none", 2.0, 0.25));
 }
 
-TEST(BiasWindow, MayBeEmpty) {
-  const BiasSweep crossed = sweep(3.0, 0.5);
+TEST(SafeWindows, MayBeEmpty) {
+  const SafeWindow crossed = window(3.0, 0.5);
   EXPECT_FALSE(crossed.has_window());
-  EXPECT_TRUE(crossed.acne_free_from && crossed.peter_pan_free_to);
-  EXPECT_FALSE(sweep(100.0, 200.0).acne_free_from);
-  EXPECT_FALSE(sweep(0.0, -1.0).peter_pan_free_to);
+  EXPECT_TRUE(crossed.from && crossed.to);
+  EXPECT_FALSE(window(100.0, 200.0).from);
+  EXPECT_FALSE(window(0.0, -1.0).to);
 }
 
-TEST(BiasWindow, MayReachFromEndToEnd) {
-  const BiasSweep all = sweep(0.0, 100.0);
-  EXPECT_EQ(*all.acne_free_from, 0.0);
-  EXPECT_EQ(*all.peter_pan_free_to, 32.0);
+TEST(SafeWindows, MayReachFromEndToEnd) {
+  const SafeWindow all = window(0.0, 100.0);
+  EXPECT_EQ(*all.from, 0.0);
+  EXPECT_EQ(*all.to, 32.0);
+}
+
+Parameter size_parameter() {
+  Parameter parameter;
+  parameter.name = "light_size_scale";
+  parameter.default_value = 1.0;
+  parameter.min = 0.1;
+  parameter.max = 10.0;
+  parameter.scale = ParameterScale::log;
+  parameter.unit = "none";
+  parameter.group = "light";
+  return parameter;
+}
+
+TEST(SafeWindows, OfALightSizeLieBetweenTooHardAndTooSoft) {
+  // A kernel twice as wide as it should be at scale 1: right at a half, and a quarter of an octave to each side.
+  const MeasureWindow measure = [](double scale) {
+    const double octaves = std::log2(2.0 * scale);
+    return WindowPoint{scale, 0.1, std::max(0.0, -octaves), std::max(0.0, octaves)};
+  };
+  const SafeWindow found = find_window(size_parameter(), measure, [] { return true; });
+  EXPECT_EQ(found.kind, WindowKind::light_size);
+  ASSERT_TRUE(found.has_window());
+  EXPECT_NEAR(std::log2(2.0 * *found.from), -0.25, 0.1);
+  EXPECT_NEAR(std::log2(2.0 * *found.to), 0.25, 0.1);
+  EXPECT_GE(std::log2(2.0 * *found.from), -0.25);
+  EXPECT_LE(std::log2(2.0 * *found.to), 0.25);
+}
+
+TEST_F(Tune, LengthsAreThoseOfTheSmallestScene) {
+  Parameter length;
+  length.name = "bias_world";
+  length.default_value = std::string("0.01 diagonals");
+  length.max = 0.5;
+  length.unit = "world";
+  length.group = "bias";
+  length.is_relative_to_scene = true;
+  plan.parameters.push_back(length);
+  plan.technique.parameters = default_values(plan.parameters);
+  plan.presets.push_back({"long", {{"bias_world", std::string("0.25 diagonals")}}});
+  scenes.push_back(fake_scene("fence"));
+  scenes[0].scene.bounds_world = {{0, 0, 0}, {0, 300, 400}};
+  scenes[1].scene.bounds_world = {{0, 0, 0}, {0, 0, 20}};
+  resolve_lengths(plan, scenes);
+  EXPECT_EQ(plan.parameters.back().max, 10.0);
+  EXPECT_EQ(plan.technique.parameters.at("bias_world"), ParameterValue(0.2));
+  EXPECT_EQ(plan.presets.back().values.at("bias_world"), ParameterValue(5.0));
+  EXPECT_THAT(plan.notes, testing::ElementsAre(HasSubstr("the smallest scene, 20 across")));
+  plan.parameters.back() = length;
+  plan.technique.parameters["bias_world"] = 11.0;
+  EXPECT_THROW(resolve_lengths(plan, scenes), Error);
 }
 
 TEST(Objectives, ADestroyedPenumbraIsNoWidthOfNothing) {

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "study/tune/safe_window.h"
+
+#include <algorithm>
+#include <set>
+
+namespace umbrameter {
+namespace {
+
+constexpr int kSteps = 7;
+constexpr int kBisections = 4;
+constexpr double kShare = 1e-3;    // of scored pixels
+constexpr double kOctaves = 0.25;  // of a penumbra's width
+
+/// The least value from which on no point is too low.
+std::optional<double> lower_end(const std::vector<WindowPoint>& points, double tolerance) {
+  std::optional<double> from;
+  for (auto point = points.rbegin(); point != points.rend() && !(point->too_low > tolerance); ++point)
+    from = point->value;
+  return from;
+}
+
+/// The largest value up to which no point is too high.
+std::optional<double> upper_end(const std::vector<WindowPoint>& points, double tolerance) {
+  std::optional<double> to;
+  for (auto point = points.begin(); point != points.end() && !(point->too_high > tolerance); ++point)
+    to = point->value;
+  return to;
+}
+
+class Sweep {
+ public:
+  Sweep(const Parameter& axis, const MeasureWindow& measure, const std::function<bool()>& goes_on)
+      : axis_(axis), measure_(measure), goes_on_(goes_on) {}
+
+  bool add(double position) {
+    if (!goes_on_()) return false;
+    const double value = std::get<double>(value_at(axis_, position));
+    if (!tried_.insert(value).second) return true;
+    if (const auto point = measure_(value)) points.push_back(*point);
+    std::ranges::sort(points, {}, &WindowPoint::value);
+    return true;
+  }
+
+  bool add_all() {
+    for (int i = 0; i <= kSteps; ++i) {
+      if (!add(static_cast<double>(i) / kSteps)) return false;
+    }
+    return true;
+  }
+
+  /// Between the end and its neighbour beyond.
+  bool refine(std::optional<double> (*end)(const std::vector<WindowPoint>&, double), double tolerance,
+              bool towards_less) {
+    for (int i = 0; i < kBisections; ++i) {
+      const auto value = end(points, tolerance);
+      if (!value) return true;
+      auto place = std::ranges::find(points, *value, &WindowPoint::value);
+      if (towards_less ? place == points.begin() : place + 1 == points.end()) return true;
+      const auto next = towards_less ? place - 1 : place + 1;
+      if (!add(0.5 * (position_of(axis_, place->value) + position_of(axis_, next->value)))) return false;
+    }
+    return true;
+  }
+
+  std::vector<WindowPoint> points;
+
+ private:
+  std::set<double> tried_;
+  const Parameter& axis_;
+  const MeasureWindow& measure_;
+  const std::function<bool()>& goes_on_;
+};
+
+}  // namespace
+
+std::optional<WindowKind> window_of(const Parameter& parameter) {
+  if (parameter.type != ParameterType::real) return std::nullopt;
+  if (parameter.group == "light") return WindowKind::light_size;
+  const bool is_length = parameter.unit == "texels" || parameter.unit == "world";
+  return parameter.group == "bias" && is_length ? std::optional(WindowKind::bias) : std::nullopt;
+}
+
+double tolerance_of(WindowKind kind) {
+  return kind == WindowKind::bias ? kShare : kOctaves;
+}
+
+std::optional<double> in_texels(const std::string& unit, double length, double texel_world) {
+  if (unit == "texels") return length;
+  return unit == "world" && texel_world > 0.0 ? std::optional(length / texel_world) : std::nullopt;
+}
+
+std::optional<double> in_world_units(const std::string& unit, double length, double texel_world) {
+  if (unit == "world") return length;
+  return unit == "texels" && texel_world > 0.0 ? std::optional(length * texel_world) : std::nullopt;
+}
+
+SafeWindow find_window(const Parameter& axis, const MeasureWindow& measure,
+                       const std::function<bool()>& goes_on) {
+  Sweep sweep(axis, measure, goes_on);
+  SafeWindow out;
+  out.parameter = axis.name;
+  out.unit = axis.unit;
+  out.kind = window_of(axis).value_or(WindowKind::bias);
+  const double tolerance = tolerance_of(out.kind);
+  out.is_complete = sweep.add_all() && sweep.refine(lower_end, tolerance, true) &&
+                    sweep.refine(upper_end, tolerance, false);
+  out.points = std::move(sweep.points);
+  if (!out.is_complete) return out;
+  out.from = lower_end(out.points, tolerance);
+  out.to = upper_end(out.points, tolerance);
+  return out;
+}
+
+}  // namespace umbrameter
