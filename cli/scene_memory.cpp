@@ -14,27 +14,27 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Absent where load_scene() will complain.
+/// Of the file's views under `search.light`; absent where load_scene() will complain.
 std::optional<std::string> key_of(const std::filesystem::path& file, const SceneSearch& search) {
   const auto meshes = mesh_files(file, search);
   if (!meshes) return std::nullopt;
   Hasher hasher;
-  hasher.text("scene").text(kReferenceCodeHash).text(file.string()).text(read_file(file));
+  hasher.text("scenes").text(kReferenceCodeHash).text(search.light).text(file.string()).text(read_file(file));
   for (const std::filesystem::path& mesh : *meshes) hasher.text(mesh.string()).text(file_stamp(mesh));
   return hasher.hex();
 }
 
-std::string json_of(const SceneSource& source) {
+Json json_of(const SceneSource& source) {
   const SceneResult& scene = source.description;
-  return Json{{"title", scene.title},
-              {"doc", scene.doc},
-              {"hash", scene.hash},
-              {"light_name", scene.light_name},
-              {"light_type", scene.light_type},
-              {"active_light", source.active_light},
-              {"triangles", scene.triangles},
-              {"warnings", scene.warnings}}
-      .dump();
+  return {{"name", scene.name},
+          {"title", scene.title},
+          {"doc", scene.doc},
+          {"hash", scene.hash},
+          {"light_name", scene.light_name},
+          {"light_type", scene.light_type},
+          {"active_light", source.active_light},
+          {"triangles", scene.triangles},
+          {"warnings", scene.warnings}};
 }
 
 LightType light_of(const std::string& text) {
@@ -44,10 +44,10 @@ LightType light_of(const std::string& text) {
   return LightType::sun;
 }
 
-SceneSource read_source(const std::string& text) {
-  const Json json = Json::parse(text);
+SceneSource read_source(const Json& json) {
   SceneSource source;
   SceneResult& scene = source.description;
+  scene.name = json.at("name");
   scene.title = json.at("title");
   scene.doc = json.at("doc");
   scene.hash = json.at("hash");
@@ -60,29 +60,46 @@ SceneSource read_source(const std::string& text) {
   return source;
 }
 
+/// Views whose scene is loaded only when it is asked for.
+std::vector<SceneSource> read_sources(const std::string& text, const std::string& name_or_path,
+                                      const SceneSearch& search) {
+  std::vector<SceneSource> sources;
+  for (const Json& json : Json::parse(text)) {
+    SceneSource source = read_source(json);
+    SceneSearch search_one = search;
+    search_one.light = source.description.light_name;
+    source.load = [name_or_path, search_one] {
+      return std::make_shared<const Scene>(load_scene_job(name_or_path, search_one).scene);
+    };
+    sources.push_back(std::move(source));
+  }
+  return sources;
+}
+
 }  // namespace
 
-SceneSource open_scene(LateStore& store, const std::string& name_or_path, const SceneSearch& search) {
-  const std::filesystem::path file = resolve_scene(name_or_path, search);
-  const auto key = key_of(file, search);
-  if (const auto known = key ? store.find(*key) : std::nullopt) {
-    SceneSource source = read_source(*known);
-    source.description.name = scene_name(file, search);
-    source.load = [name_or_path, search] {
-      return std::make_shared<const Scene>(load_scene_job(name_or_path, search).scene);
-    };
-    return source;
+std::vector<SceneSource> open_scene(LateStore& store, const std::string& name_or_path,
+                                    const SceneSearch& search) {
+  const auto key = key_of(resolve_scene(name_or_path, search), search);
+  if (const auto known = key ? store.find(*key) : std::nullopt)
+    return read_sources(*known, name_or_path, search);
+  std::vector<SceneSource> sources;
+  for (SceneJob& view : load_scene_jobs(name_or_path, search)) {
+    const auto job = std::make_shared<const SceneJob>(std::move(view));
+    SceneSource source = source_of(*job);
+    source.load = [job] { return std::shared_ptr<const Scene>(job, &job->scene); };
+    sources.push_back(std::move(source));
   }
-  const auto job = std::make_shared<const SceneJob>(load_scene_job(name_or_path, search));
-  SceneSource source = source_of(*job);
-  source.load = [job] { return std::shared_ptr<const Scene>(job, &job->scene); };
-  return source;
+  return sources;
 }
 
 void remember_scene(LateStore& store, const std::string& name_or_path, const SceneSearch& search,
-                    const SceneSource& source) {
+                    std::span<const SceneSource> sources) {
   const auto key = key_of(resolve_scene(name_or_path, search), search);
-  if (key && !store.find(*key)) store.store().put({*key, EntryKind::scene, json_of(source)});
+  if (!key || store.find(*key)) return;
+  Json all = Json::array();
+  for (const SceneSource& source : sources) all.push_back(json_of(source));
+  store.store().put({*key, EntryKind::scene, all.dump()});
 }
 
 }  // namespace umbrameter

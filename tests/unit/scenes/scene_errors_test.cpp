@@ -124,9 +124,11 @@ TEST(SceneErrors, UnknownLightTypeNamesTheNearest) {
 }
 
 TEST(SceneErrors, TwoLightsOfOneName) {
-  const std::string sun = "type = \"sun\"\ndirection = [0, -1, 0]\nangular_diameter_deg = 1";
+  const std::string sun = "name = \"sky\"\ntype = \"sun\"\ndirection = [0, -1, 0]\nangular_diameter_deg = 1";
   EXPECT_EQ(error_of_light(sun + "\n[[light]]\n" + sun),
-            "x.toml:11:1: two lights are called 'sun' (give each a 'name')");
+            "x.toml:12:1: two lights are called 'sky' (give each a 'name' of its own)");
+  EXPECT_EQ(error_of_light("name = \"\"\ntype = \"sun\"\ndirection = [0, -1, 0]\nangular_diameter_deg = 1"),
+            "x.toml:8:8: [[light]]: the light's 'name' is empty");
 }
 
 TEST(SceneErrors, NothingToSee) {
