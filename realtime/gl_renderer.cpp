@@ -39,6 +39,7 @@ std::string geometry_key(const Scene& scene) {
   hasher.values(std::span<const glm::vec3>(scene.positions_world));
   hasher.values(std::span<const glm::vec3>(scene.normals_world));
   hasher.values(std::span<const glm::uvec3>(scene.triangles));
+  hash_cutouts(hasher, scene);
   return hasher.hex();
 }
 
@@ -173,7 +174,7 @@ class GlRenderer final : public Renderer {
     scenes_.make_room(gpu_bytes(scene));
     auto made = std::make_shared<const SceneOnGpu>(
         SceneOnGpu{SceneBuffers(scene),
-                   settings_.cull_casters ? make_caster_clusters(scene) : std::vector<CasterCluster>{}});
+                   settings_.cull_casters && scene.cutouts.empty() ? make_caster_clusters(scene) : std::vector<CasterCluster>{}});
     scenes_.keep(key, made, gpu_bytes(scene));
     return made;
   }

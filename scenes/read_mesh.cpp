@@ -86,6 +86,7 @@ void apply(const Transform& transform, MeshData& mesh) {
   const dmat3 normal_matrix = glm::transpose(glm::inverse(transform.linear));
   for (dvec3& n : mesh.normals) n = glm::normalize(normal_matrix * n);
   if (volume > 0.0) return;
+  for (Cutout& cutout : mesh.cutouts) std::swap(cutout.uv[1], cutout.uv[2]);
   for (glm::uvec3& t : mesh.triangles) std::swap(t.y, t.z);  // a mirrored mesh keeps its outside outside
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 // What Scene::hash stands for.
 
+#include "core/hash.h"
 #include "scenes/scene.h"
 
 namespace umbrameter {
