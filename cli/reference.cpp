@@ -49,6 +49,7 @@ int render_reference(const ReferenceOptions& options, const GlobalOptions& globa
   const Quality quality = choose_quality(options.quality);
   const SceneSearch search = scene_search(global, find_home());
   const SceneJob job = load_scene_job(options.scene, search);
+  if (options.exact_check > 0) require_exact(job.scene);
   const StagedFile file(global.out.empty() ? "reference.exr" : global.out, ".exr");
   for (const std::string& warning : job.scene.warnings) print_warning(warning);
   const auto renderer = open_reference_renderer(global, quality.picture, !options.no_skip);

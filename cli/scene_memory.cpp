@@ -9,6 +9,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+
 namespace umbrameter {
 namespace {
 
@@ -24,6 +26,13 @@ std::optional<std::string> key_of(const std::filesystem::path& file, const Scene
   return hasher.hex();
 }
 
+/// Pairs of name and stamp.
+Json stamps_of(const std::vector<std::filesystem::path>& files) {
+  Json stamps = Json::array();
+  for (const std::filesystem::path& file : files) stamps.push_back({file.string(), file_stamp(file)});
+  return stamps;
+}
+
 Json json_of(const SceneSource& source) {
   const SceneResult& scene = source.description;
   return {{"name", scene.name},
@@ -34,7 +43,14 @@ Json json_of(const SceneSource& source) {
           {"light_type", scene.light_type},
           {"active_light", source.active_light},
           {"triangles", scene.triangles},
-          {"warnings", scene.warnings}};
+          {"warnings", scene.warnings},
+          {"side_files", stamps_of(source.side_files)}};
+}
+
+/// Whether the files are as they were.
+bool is_current(const Json& side_files) {
+  return std::all_of(side_files.begin(), side_files.end(),
+                     [](const Json& file) { return file_stamp(file[0].get<std::string>()) == file[1]; });
 }
 
 LightType light_of(const std::string& text) {
@@ -56,15 +72,17 @@ SceneSource read_source(const Json& json) {
   scene.triangles = json.at("triangles");
   scene.warnings = json.at("warnings").get<std::vector<std::string>>();
   source.active_light = json.at("active_light");
+  for (const Json& file : json.at("side_files")) source.side_files.emplace_back(file[0].get<std::string>());
   source.light = light_of(scene.light_type);
   return source;
 }
 
-/// Views whose scene is loaded only when it is asked for.
+/// Views whose scene is loaded only when it is asked for; none when a file they depend on has changed.
 std::vector<SceneSource> read_sources(const std::string& text, const std::string& name_or_path,
                                       const SceneSearch& search) {
   std::vector<SceneSource> sources;
   for (const Json& json : Json::parse(text)) {
+    if (!is_current(json.at("side_files"))) return {};
     SceneSource source = read_source(json);
     SceneSearch search_one = search;
     search_one.light = source.description.light_name;
@@ -81,9 +99,9 @@ std::vector<SceneSource> read_sources(const std::string& text, const std::string
 std::vector<SceneSource> open_scene(LateStore& store, const std::string& name_or_path,
                                     const SceneSearch& search) {
   const auto key = key_of(resolve_scene(name_or_path, search), search);
-  if (const auto known = key ? store.find(*key) : std::nullopt)
-    return read_sources(*known, name_or_path, search);
   std::vector<SceneSource> sources;
+  if (const auto known = key ? store.find(*key) : std::nullopt) sources = read_sources(*known, name_or_path, search);
+  if (!sources.empty()) return sources;
   for (SceneJob& view : load_scene_jobs(name_or_path, search)) {
     const auto job = std::make_shared<const SceneJob>(std::move(view));
     SceneSource source = source_of(*job);
@@ -96,10 +114,11 @@ std::vector<SceneSource> open_scene(LateStore& store, const std::string& name_or
 void remember_scene(LateStore& store, const std::string& name_or_path, const SceneSearch& search,
                     std::span<const SceneSource> sources) {
   const auto key = key_of(resolve_scene(name_or_path, search), search);
-  if (!key || store.find(*key)) return;
+  if (!key) return;
   Json all = Json::array();
   for (const SceneSource& source : sources) all.push_back(json_of(source));
-  store.store().put({*key, EntryKind::scene, all.dump()});
+  const std::string text = all.dump();
+  if (store.find(*key) != text) store.store().put({*key, EntryKind::scene, text});
 }
 
 }  // namespace umbrameter

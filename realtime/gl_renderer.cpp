@@ -16,6 +16,7 @@
 #include "realtime/realtime.h"
 #include "realtime/recently_used.h"
 #include "scenes/local_scene.h"
+#include "scenes/scene_hash.h"
 
 #include <array>
 #include <optional>

@@ -140,6 +140,7 @@ void merge_meshes(std::vector<NamedMesh>& meshes, Scene& scene) {
     if (smooth && mesh.mesh.normals.empty()) split_flat(mesh.mesh);
     append_cutouts(mesh.mesh, scene.triangles.size(), cutout_of_triangle, scene);
     append(mesh, scene);
+    scene.side_files.insert(scene.side_files.end(), mesh.mesh.side_files.begin(), mesh.mesh.side_files.end());
     first_triangles.push_back(static_cast<uint32_t>(scene.triangles.size()));
     mesh.mesh = {};
   }

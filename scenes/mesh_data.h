@@ -7,6 +7,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <filesystem>
 #include <vector>
 
 namespace umbrameter {
@@ -22,6 +23,7 @@ struct MeshData {
   std::vector<uint32_t> cutout_of_triangle;  // index into cutouts or kSolid; empty = all solid
   std::vector<Cutout> cutouts;
   std::vector<AlphaMask> masks;
+  std::vector<std::filesystem::path> side_files;  // material libraries and masks that were asked for
 };
 
 }  // namespace umbrameter

@@ -11,6 +11,7 @@
 #include <glm/vec3.hpp>
 
 #include <cstdint>
+#include <filesystem>
 #include <limits>
 #include <string>
 #include <vector>
@@ -54,6 +55,7 @@ struct Scene {
   std::vector<MeshPart> parts;
   std::vector<Cutout> cutouts;   // of the last triangles, one each; empty = everything is solid
   std::vector<AlphaMask> masks;
+  std::vector<std::filesystem::path> side_files;  // what the meshes' files named and was asked for, there or not
   Bounds3 bounds_world;
 
   std::vector<std::string>

@@ -11,4 +11,7 @@ namespace umbrameter {
 /// `hash` says.
 std::string hash_scene(const Scene& scene);
 
+/// Feeds what triangles with holes add to the geometry: nothing for a solid scene.
+void hash_cutouts(Hasher& hasher, const Scene& scene);
+
 }  // namespace umbrameter

@@ -23,7 +23,8 @@ bool is_in_range(const std::array<glm::vec2, 3>& uv) {
 ObjCutouts::ObjCutouts(std::filesystem::path file) : file_(std::move(file)) {}
 
 void ObjCutouts::read_library(const std::string& name, size_t triangles) {
-  library_.read(file_.parent_path() / name, obj_name(), warnings_);
+  side_files_.push_back(file_.parent_path() / name);
+  library_.read(side_files_.back(), obj_name(), warnings_);
   if (triangles == 0 || !library_.has_holes()) return;
   warnings_.push_back(
       fmt::format("{}: the material library '{}' is named after the first face; faces before it are solid", obj_name(), name));
@@ -46,6 +47,7 @@ std::optional<AlphaMask> ObjCutouts::mask_of(const MaterialHoles& holes, const s
     warnings_.push_back(fmt::format("{} (d = {:.3g}), less than half there: a hole", what, holes.alpha));
     return AlphaMask{"d", 1, 1, {0}};
   }
+  side_files_.push_back(holes.file);
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(holes.file, ignored)) {
     warnings_.push_back(fmt::format("{}: the mask '{}' is not there, so they are solid", what, holes.picture));
@@ -82,6 +84,7 @@ void ObjCutouts::finish(MeshData& mesh, std::vector<std::string>& warnings) {
   if (out_of_range > 0)
     warnings_.push_back(fmt::format("{}: {} triangle{} with holes: texture coordinates not finite or beyond {}; solid",
                                     obj_name(), out_of_range, out_of_range == 1 ? "" : "s", kMaxUv));
+  mesh.side_files = std::move(side_files_);
   warnings.insert(warnings.end(), warnings_.begin(), warnings_.end());
 }
 
