@@ -100,7 +100,8 @@ std::vector<SceneSource> open_scene(LateStore& store, const std::string& name_or
                                     const SceneSearch& search) {
   const auto key = key_of(resolve_scene(name_or_path, search), search);
   std::vector<SceneSource> sources;
-  if (const auto known = key ? store.find(*key) : std::nullopt) sources = read_sources(*known, name_or_path, search);
+  if (const auto known = key ? store.find(*key) : std::nullopt)
+    sources = read_sources(*known, name_or_path, search);
   if (!sources.empty()) return sources;
   for (SceneJob& view : load_scene_jobs(name_or_path, search)) {
     const auto job = std::make_shared<const SceneJob>(std::move(view));

@@ -173,9 +173,9 @@ class GlRenderer final : public Renderer {
     const std::string key = geometry_key(scene);
     if (auto known = scenes_.find(key)) return known;
     scenes_.make_room(gpu_bytes(scene));
-    auto made = std::make_shared<const SceneOnGpu>(
-        SceneOnGpu{SceneBuffers(scene),
-                   settings_.cull_casters && scene.cutouts.empty() ? make_caster_clusters(scene) : std::vector<CasterCluster>{}});
+    auto made = std::make_shared<const SceneOnGpu>(SceneOnGpu{
+        SceneBuffers(scene), settings_.cull_casters && scene.cutouts.empty() ? make_caster_clusters(scene)
+                                                                             : std::vector<CasterCluster>{}});
     scenes_.keep(key, made, gpu_bytes(scene));
     return made;
   }

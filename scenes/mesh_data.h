@@ -17,9 +17,9 @@ inline constexpr uint32_t kSolid = ~0u;
 
 struct MeshData {
   std::vector<glm::dvec3> positions;
-  std::vector<glm::dvec3> normals;    // unit shading normals, one per position; empty = flat shading
-  std::vector<glm::uvec3> triangles;  // indices into positions; counter-clockwise seen from outside
-  std::vector<MeshPart> parts;        // cover `triangles` in order
+  std::vector<glm::dvec3> normals;           // unit shading normals, one per position; empty = flat shading
+  std::vector<glm::uvec3> triangles;         // indices into positions; counter-clockwise seen from outside
+  std::vector<MeshPart> parts;               // cover `triangles` in order
   std::vector<uint32_t> cutout_of_triangle;  // index into cutouts or kSolid; empty = all solid
   std::vector<Cutout> cutouts;
   std::vector<AlphaMask> masks;

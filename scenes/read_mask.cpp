@@ -19,7 +19,8 @@ std::span<const float> coverage_of(const Image& image) {
 AlphaMask read_mask(const std::filesystem::path& path, float alpha) {
   const Image image = read_image(path);
   const std::span<const float> coverage = coverage_of(image);
-  AlphaMask mask{path.filename().string(), static_cast<uint32_t>(image.width), static_cast<uint32_t>(image.height), {}};
+  AlphaMask mask{
+      path.filename().string(), static_cast<uint32_t>(image.width), static_cast<uint32_t>(image.height), {}};
   mask.bits.resize((image.pixel_count() + 31) / 32, 0);
   for (uint32_t y = 0; y < mask.height; ++y) {
     const size_t row = size_t{mask.height - 1 - y} * mask.width;

@@ -53,9 +53,10 @@ struct Scene {
   std::vector<glm::vec3> normals_world;  // per vertex, unit shading normals; empty = flat shading everywhere
   std::vector<glm::uvec3> triangles;     // vertex indices; primitive_id = index here
   std::vector<MeshPart> parts;
-  std::vector<Cutout> cutouts;   // of the last triangles, one each; empty = everything is solid
+  std::vector<Cutout> cutouts;  // of the last triangles, one each; empty = everything is solid
   std::vector<AlphaMask> masks;
-  std::vector<std::filesystem::path> side_files;  // what the meshes' files named and was asked for, there or not
+  std::vector<std::filesystem::path>
+      side_files;  // what the meshes' files named and was asked for, there or not
   Bounds3 bounds_world;
 
   std::vector<std::string>

@@ -91,10 +91,9 @@ std::shared_ptr<const Program> compile(const PassDeclaration& pass, const std::f
   const std::string fragment_holes = has_holes ? cutout_fragment_prelude() : "";
   std::vector<ShaderFile> stages = {{ShaderStage::vertex, vertex, vertex_prelude(prelude) + vertex_holes}};
   if (!pass.fragment.empty() || has_holes) {
-    const auto fragment =
-        pass.fragment.empty()
-            ? inputs.shaders_folder / "lib" / "cutout_depth.frag"
-            : find_shader(pass.fragment, inputs.technique.folder, inputs.shaders_folder, pass.where);
+    const auto fragment = pass.fragment.empty() ? inputs.shaders_folder / "lib" / "cutout_depth.frag"
+                                                : find_shader(pass.fragment, inputs.technique.folder,
+                                                              inputs.shaders_folder, pass.where);
     stages.push_back({ShaderStage::fragment, fragment, fragment_prelude(prelude) + fragment_holes});
   }
   return programs.get(stages);

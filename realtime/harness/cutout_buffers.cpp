@@ -56,7 +56,8 @@ std::vector<CutoutVertex> make_vertices(const Scene& scene) {
     const glm::uvec3& triangle = scene.triangles[scene.first_cutout() + i];
     const Cutout& cutout = scene.cutouts[i];
     for (int c = 0; c < 3; ++c)
-      vertices.push_back({scene.positions_world[triangle[c]], cutout.uv[static_cast<size_t>(c)], places[cutout.mask]});
+      vertices.push_back(
+          {scene.positions_world[triangle[c]], cutout.uv[static_cast<size_t>(c)], places[cutout.mask]});
   }
   return vertices;
 }
@@ -76,8 +77,8 @@ VertexArray make_array(const Buffer& vertices) {
 
 /// `before`, then the pass's main() under another name, then `after`.
 std::string around_main(const std::string& before, const std::string& after) {
-  return before +
-         "#define main() main_of_pass(); void main() { main_of_pass(); " + after + " } void main_of_pass()\n";
+  return before + "#define main() main_of_pass(); void main() { main_of_pass(); " + after +
+         " } void main_of_pass()\n";
 }
 
 }  // namespace

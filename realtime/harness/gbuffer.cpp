@@ -49,8 +49,8 @@ GBufferData make_gbuffer_data(const Scene& scene, const GBuffer& target, int sub
   return data;
 }
 
-std::shared_ptr<const Program> load(ProgramCache& programs, const fs::path& vertex,
-                                    const fs::path& fragment, const std::string& defines = {}) {
+std::shared_ptr<const Program> load(ProgramCache& programs, const fs::path& vertex, const fs::path& fragment,
+                                    const std::string& defines = {}) {
   const std::string prelude = std::string(kFrameBlockGlsl) + defines;
   const std::array<ShaderFile, 2> stages = {
       {{ShaderStage::vertex, vertex, prelude}, {ShaderStage::fragment, fragment, prelude}}};

@@ -97,8 +97,8 @@ std::vector<size_t> draw_check_pixels(const Image& pilot, size_t count, uint64_t
 
 void require_exact(const Scene& scene) {
   if (scene.cutouts.empty()) return;
-  fail_input(fmt::format("the exact check cannot see holes, which {} of {} triangles have", scene.cutouts.size(),
-                         scene.triangles.size()),
+  fail_input(fmt::format("the exact check cannot see holes, which {} of {} triangles have",
+                         scene.cutouts.size(), scene.triangles.size()),
              scene.source);
 }
 

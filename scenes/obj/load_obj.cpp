@@ -18,7 +18,8 @@ ObjBuilder& builder(void* user_data) {
 
 void add_face(void* user_data, tinyobj::index_t* indices, int count) {
   std::vector<ObjCorner> corners;
-  for (int i = 0; i < count; ++i) corners.push_back({indices[i].vertex_index, indices[i].normal_index, indices[i].texcoord_index});
+  for (int i = 0; i < count; ++i)
+    corners.push_back({indices[i].vertex_index, indices[i].normal_index, indices[i].texcoord_index});
   builder(user_data).add_face(corners);
 }
 
@@ -48,7 +49,9 @@ tinyobj::callback_t callbacks() {
     builder(data).add_position({x, y, z});
   };
   result.normal_cb = [](void* data, double x, double y, double z) { builder(data).add_normal({x, y, z}); };
-  result.texcoord_cb = [](void* data, double u, double v, double) { builder(data).add_texture_point({u, v}); };
+  result.texcoord_cb = [](void* data, double u, double v, double) {
+    builder(data).add_texture_point({u, v});
+  };
   result.index_cb = add_face;
   result.usemtl_cb = [](void* data, const char* name, int) { builder(data).set_material(trimmed(name)); };
   result.object_cb = [](void* data, const char* name) { builder(data).set_object(trimmed(name)); };

@@ -25,7 +25,8 @@ MaterialHoles holes_of(const tinyobj::material_t& material, const std::filesyste
   holes.picture = material.alpha_texname;
   if (!holes.picture.empty()) holes.file = picture_file(library, holes.picture);
   holes.uv_scale = {static_cast<float>(options.scale[0]), static_cast<float>(options.scale[1])};
-  holes.uv_offset = {static_cast<float>(options.origin_offset[0]), static_cast<float>(options.origin_offset[1])};
+  holes.uv_offset = {static_cast<float>(options.origin_offset[0]),
+                     static_cast<float>(options.origin_offset[1])};
   holes.clamps = options.clamp;
   return holes;
 }
@@ -36,8 +37,8 @@ void MaterialLibrary::read(const std::filesystem::path& file, const std::string&
                            std::vector<std::string>& warnings) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(file, ignored)) {
-    warnings.push_back(fmt::format("{}: the material library '{}' is not there, so no material has holes", obj_name,
-                                   file.filename().string()));
+    warnings.push_back(fmt::format("{}: the material library '{}' is not there, so no material has holes",
+                                   obj_name, file.filename().string()));
     return;
   }
   std::istringstream text(read_file(file));

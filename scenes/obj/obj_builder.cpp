@@ -89,7 +89,8 @@ void split_vertices(MeshData& mesh, const std::vector<glm::dvec3>& normals,
 
 }  // namespace
 
-ObjBuilder::ObjBuilder(ObjLines& lines, const ObjFilter& filter) : lines_(lines), filter_(filter), cutouts_(lines.file()) {}
+ObjBuilder::ObjBuilder(ObjLines& lines, const ObjFilter& filter)
+    : lines_(lines), filter_(filter), cutouts_(lines.file()) {}
 
 void ObjBuilder::fail(const std::string& message, const std::string& hint) const {
   fail_input(message, {lines_.file(), lines_.line()}, hint);

@@ -27,7 +27,8 @@ void ObjCutouts::read_library(const std::string& name, size_t triangles) {
   library_.read(side_files_.back(), obj_name(), warnings_);
   if (triangles == 0 || !library_.has_holes()) return;
   warnings_.push_back(
-      fmt::format("{}: the material library '{}' is named after the first face; faces before it are solid", obj_name(), name));
+      fmt::format("{}: the material library '{}' is named after the first face; faces before it are solid",
+                  obj_name(), name));
 }
 
 void ObjCutouts::add(size_t triangle, const std::string& material, const std::array<glm::vec2, 3>& uv) {
@@ -50,7 +51,8 @@ std::optional<AlphaMask> ObjCutouts::mask_of(const MaterialHoles& holes, const s
   side_files_.push_back(holes.file);
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(holes.file, ignored)) {
-    warnings_.push_back(fmt::format("{}: the mask '{}' is not there, so they are solid", what, holes.picture));
+    warnings_.push_back(
+        fmt::format("{}: the mask '{}' is not there, so they are solid", what, holes.picture));
     return std::nullopt;
   }
   AlphaMask mask = read_mask(holes.file, holes.alpha);
@@ -62,8 +64,9 @@ std::optional<AlphaMask> ObjCutouts::mask_of(const MaterialHoles& holes, const s
 void ObjCutouts::finish(MeshData& mesh, std::vector<std::string>& warnings) {
   std::vector<std::optional<uint32_t>> masks;
   for (size_t i = 0; i < materials_.size(); ++i) {
-    const std::string what = fmt::format("{}: {} triangle{} of material '{}'", obj_name(), triangle_counts_[i],
-                                         triangle_counts_[i] == 1 ? "" : "s", materials_[i]);
+    const std::string what =
+        fmt::format("{}: {} triangle{} of material '{}'", obj_name(), triangle_counts_[i],
+                    triangle_counts_[i] == 1 ? "" : "s", materials_[i]);
     auto mask = mask_of(*library_.find(materials_[i]), what);
     masks.push_back(mask ? std::optional(static_cast<uint32_t>(mesh.masks.size())) : std::nullopt);
     if (mask) mesh.masks.push_back(std::move(*mask));
@@ -82,8 +85,9 @@ void ObjCutouts::finish(MeshData& mesh, std::vector<std::string>& warnings) {
     mesh.cutouts.push_back({entry.uv, *masks[entry.material]});
   }
   if (out_of_range > 0)
-    warnings_.push_back(fmt::format("{}: {} triangle{} with holes: texture coordinates not finite or beyond {}; solid",
-                                    obj_name(), out_of_range, out_of_range == 1 ? "" : "s", kMaxUv));
+    warnings_.push_back(
+        fmt::format("{}: {} triangle{} with holes: texture coordinates not finite or beyond {}; solid",
+                    obj_name(), out_of_range, out_of_range == 1 ? "" : "s", kMaxUv));
   mesh.side_files = std::move(side_files_);
   warnings.insert(warnings.end(), warnings_.begin(), warnings_.end());
 }

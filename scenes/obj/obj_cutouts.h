@@ -37,8 +37,8 @@ class ObjCutouts {
 
   std::filesystem::path file_;
   MaterialLibrary library_;
-  std::vector<std::string> materials_;  // with holes and in use
-  std::vector<size_t> triangle_counts_; // of each
+  std::vector<std::string> materials_;   // with holes and in use
+  std::vector<size_t> triangle_counts_;  // of each
   std::vector<Entry> entries_;
   std::vector<std::filesystem::path> side_files_;
   std::vector<std::string> warnings_;

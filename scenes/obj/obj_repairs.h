@@ -9,7 +9,14 @@
 
 namespace umbrameter {
 
-enum class ObjRepair { trailing_slash, small_face, normal_not_finite, texture_not_finite, equal_neighbours, crossing_face };
+enum class ObjRepair {
+  trailing_slash,
+  small_face,
+  normal_not_finite,
+  texture_not_finite,
+  equal_neighbours,
+  crossing_face
+};
 
 class ObjRepairs {
  public:

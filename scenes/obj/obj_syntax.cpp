@@ -11,8 +11,8 @@ namespace umbrameter {
 namespace {
 
 constexpr std::array<std::string_view, 17> kIgnored = {
-    "vp",     "p",      "l",      "g",     "s",        "mg",       "o",          "lod",
-    "usemtl", "mtllib", "usemap", "maplib", "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj"};
+    "vp",     "p",      "l",      "g",     "s",        "mg",       "o",          "lod",      "usemtl",
+    "mtllib", "usemap", "maplib", "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj"};
 
 constexpr std::string_view kBlank = " \t";
 constexpr std::array<std::string_view, 7> kNumeric = {"v", "vn", "vt", "vp", "f", "l", "p"};
@@ -189,7 +189,8 @@ bool repair_normal(StatementCursor& cursor, ObjRepairs& repairs, std::string& re
 bool repair_texture_point(StatementCursor& cursor, ObjRepairs& repairs, std::string& repaired) {
   size_t count = 0;
   bool is_fine = true;
-  for (std::string_view token = cursor.next(); !token.empty(); token = cursor.next(), ++count) is_fine &= is_number(token);
+  for (std::string_view token = cursor.next(); !token.empty(); token = cursor.next(), ++count)
+    is_fine &= is_number(token);
   if (is_fine && count > 0) return false;
   repairs.add(ObjRepair::texture_not_finite, cursor.line());
   repaired = "vt 0 0";

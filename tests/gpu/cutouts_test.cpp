@@ -45,8 +45,12 @@ TEST(cutouts, both_renderers_see_the_same_triangles_through_the_holes) {
   const int width_px = 480, height_px = 270;
   const Frame drawn = render(scene, "hard", {}, 1, width_px, height_px);
   SilentProgress progress;
-  const Frame traced = make_reference_renderer({16, {}, 0})->render(
-      scene, {.width_px = width_px, .height_px = height_px, .seed = 1, .technique = {}, .parameters = {}}, progress);
+  const Frame traced =
+      make_reference_renderer({16, {}, 0})
+          ->render(
+              scene,
+              {.width_px = width_px, .height_px = height_px, .seed = 1, .technique = {}, .parameters = {}},
+              progress);
   const auto a = drawn.image.plane("primitive_id"), b = traced.image.plane("primitive_id");
   size_t equal = 0, card = 0, through = 0;
   const auto first_cutout = static_cast<float>(scene.first_cutout());
@@ -64,12 +68,14 @@ TEST(every_technique, lets_light_through_holes) {
   UMBRAMETER_REQUIRE_GL();
   const double share = hole_share(kLeaves);
   for (const Technique& technique : techniques()) {
-    const Light light = light_at_4(technique.supports(LightType::rect) ? LightType::rect : technique.lights.front(), 0.5);
-    const double holes = mean(render(under_card(light, kLeaves), technique.id, quick(technique)).image.plane("visibility"));
-    const double solid =
-        mean(render(under_card(light, pattern_mask({"#"})), technique.id, quick(technique)).image.plane("visibility"));
-    const double none =
-        mean(render(under_card(light, pattern_mask({"."})), technique.id, quick(technique)).image.plane("visibility"));
+    const Light light =
+        light_at_4(technique.supports(LightType::rect) ? LightType::rect : technique.lights.front(), 0.5);
+    const double holes =
+        mean(render(under_card(light, kLeaves), technique.id, quick(technique)).image.plane("visibility"));
+    const double solid = mean(render(under_card(light, pattern_mask({"#"})), technique.id, quick(technique))
+                                  .image.plane("visibility"));
+    const double none = mean(render(under_card(light, pattern_mask({"."})), technique.id, quick(technique))
+                                 .image.plane("visibility"));
     RecordProperty(technique.id, fmt::format("{:.3f} solid {:.3f} none {:.3f}", holes, solid, none));
     EXPECT_NEAR(holes, share, 0.1) << technique.id;
     EXPECT_LT(solid, 0.05) << technique.id;

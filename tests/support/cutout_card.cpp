@@ -28,7 +28,8 @@ double hole_share(const AlphaMask& mask) {
   return static_cast<double>(holes) / texels;
 }
 
-void add_cutout_card(Scene& scene, const AlphaMask& mask, const glm::dvec2& size, double y, double period_world) {
+void add_cutout_card(Scene& scene, const AlphaMask& mask, const glm::dvec2& size, double y,
+                     double period_world) {
   const size_t first = scene.triangles.size();
   add_floor(scene, size, y);
   for (size_t t = first; t < scene.triangles.size(); ++t) {

@@ -17,6 +17,7 @@ AlphaMask pattern_mask(std::initializer_list<std::string_view> rows);
 double hole_share(const AlphaMask& mask);
 
 /// A card as add_floor() adds it whose mask repeats every `period_world` along x and z. Nothing solid may be added later.
-void add_cutout_card(Scene& scene, const AlphaMask& mask, const glm::dvec2& size, double y, double period_world);
+void add_cutout_card(Scene& scene, const AlphaMask& mask, const glm::dvec2& size, double y,
+                     double period_world);
 
 }  // namespace umbrameter

@@ -37,7 +37,8 @@ class Cutouts : public testing::Test {
     write_file_atomically(folder_.path() / name, text);
   }
   /// 2 x 2 texels by their first channel, or by their alpha.
-  void write_picture(const std::string& name, const std::vector<float>& values, const std::string& channel = "R") const {
+  void write_picture(const std::string& name, const std::vector<float>& values,
+                     const std::string& channel = "R") const {
     Image image(2, 2);
     image.add_plane("R", 1.0f);
     std::copy(values.begin(), values.end(), image.add_plane(channel).begin());
@@ -108,20 +109,23 @@ TEST_F(Cutouts, TheHashKnowsTheMaskAndWhereItLies) {
 TEST_F(Cutouts, WhatCannotBeCutOutIsSaid) {
   const std::string obj = "mtllib leaf.mtl\n" + kCorners + kLeaf;
   const Scene no_library = load(obj);
-  EXPECT_THAT(no_library.warnings,
-              ElementsAre("leaf.obj: the material library 'leaf.mtl' is not there, so no material has holes"));
+  EXPECT_THAT(
+      no_library.warnings,
+      ElementsAre("leaf.obj: the material library 'leaf.mtl' is not there, so no material has holes"));
   EXPECT_EQ(no_library.side_files.size(), 1u);
   write("leaf.mtl", "newmtl leaf\nmap_d gone.png\n");
   const Scene no_mask = load(obj);
-  EXPECT_THAT(no_mask.warnings, ElementsAre("leaf.obj: 2 triangles of material 'leaf': the mask 'gone.png' is not there, "
-                                            "so they are solid"));
+  EXPECT_THAT(no_mask.warnings,
+              ElementsAre("leaf.obj: 2 triangles of material 'leaf': the mask 'gone.png' is not there, "
+                          "so they are solid"));
   EXPECT_TRUE(no_mask.cutouts.empty());
   EXPECT_EQ(no_mask.side_files.size(), 2u);
   EXPECT_EQ(no_mask.hash, load(kCorners + kLeaf).hash);
   write("leaf.mtl", "newmtl leaf\nd 0.1\n");
   const Scene glass = load(obj);
-  EXPECT_THAT(glass.warnings,
-              ElementsAre("leaf.obj: 2 triangles of material 'leaf' (d = 0.1), less than half there: a hole"));
+  EXPECT_THAT(
+      glass.warnings,
+      ElementsAre("leaf.obj: 2 triangles of material 'leaf' (d = 0.1), less than half there: a hole"));
   EXPECT_EQ(glass.cutouts.size(), 2u);
   write("leaf.mtl", "newmtl leaf\nd 0.9\n");
   EXPECT_TRUE(load(obj).cutouts.empty());
@@ -131,7 +135,8 @@ TEST_F(Cutouts, WhatCannotBeCutOutIsSaid) {
 TEST_F(Cutouts, TexturePointsThatAreOddAreSaid) {
   write("leaf.mtl", "newmtl leaf\nmap_d mask.exr\n");
   write_picture("mask.exr", {1.0f, 0.0f, 0.0f, 1.0f});
-  const std::string head = "mtllib leaf.mtl\nv 0 1 0\nv 1 1 0\nv 1 1 1\nvt 0 nan\nvt 1 0\nvt 1e9 1\nusemtl leaf\n";
+  const std::string head =
+      "mtllib leaf.mtl\nv 0 1 0\nv 1 1 0\nv 1 1 1\nvt 0 nan\nvt 1 0\nvt 1e9 1\nusemtl leaf\n";
   EXPECT_THAT(load(head + "f 1/1 2/2 3/2\n").warnings,
               ElementsAre("leaf.obj: 1 texture point that is no number is taken as 0 0 (line 5)"));
   EXPECT_EQ(load(head + "f 1/1 2/2 3/3\n").warnings.back(),
