@@ -6,6 +6,8 @@
 #include "cli/light_option.h"
 #include "cli/quality.h"
 #include "cli/scene_export.h"
+#include "cli/scene_show.h"
+#include "scenes/check_scene.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -56,7 +58,9 @@ int check(const std::vector<std::string>& names, const GlobalOptions& global) {
     text += fmt::format("{}: fine; {} triangles, {:.4g} x {:.4g} x {:.4g}, {}, hash {}\n", own_name,
                         scene.triangles.size(), size_world.x, size_world.y, size_world.z,
                         describe(scene.lights), scene.hash);
-    for (const std::string& warning : scene.warnings)
+    std::vector<std::string> warnings = scene.warnings;
+    for (std::string& found : check_scene(scene)) warnings.push_back(std::move(found));
+    for (const std::string& warning : warnings)
       text += fmt::format("{}: warning: {}\n", own_name, warning);
     Json lights = Json::array();
     for (const Light& light : scene.lights)
@@ -66,7 +70,7 @@ int check(const std::vector<std::string>& names, const GlobalOptions& global) {
                       {"hash", scene.hash},
                       {"triangles", scene.triangles.size()},
                       {"lights", lights},
-                      {"warnings", scene.warnings}});
+                      {"warnings", warnings}});
   }
   if (global.json) {
     print_json({{"scenes", scenes}});
@@ -150,6 +154,11 @@ void add_scene(CLI::App& app, CommandLine& line) {
     line.verb = [names, quality, &line] { return plan(*names, *quality, line.global); };
   });
   auto scene = std::make_shared<std::string>();
+  CLI::App* show_verb = verb->add_subcommand("show", "a lit picture with shadows of a scene to --out (default scene.png)");
+  show_verb->fallthrough();
+  show_verb->add_option("scene", *scene, "library name or scene file")->required();
+  add_light_option(*show_verb, line.global);
+  show_verb->callback([scene, &line] { line.verb = [scene, &line] { return show_scene(*scene, line.global); }; });
   CLI::App* export_verb = verb->add_subcommand(
       "export", "mesh, camera and light for another engine, into --out (docs/your-engine.md)");
   export_verb->fallthrough();

@@ -75,6 +75,13 @@ TEST_F(Lights, CheckAndPlanNameThemAll) {
   EXPECT_EQ(plan[1]["name"], "two/sky");
 }
 
+TEST_F(Lights, ShowLightsThePictureByAllOrOne) {
+  EXPECT_THAT(umbrameter({"scene", "show", "two.toml", "-o", "all.png"}).out, HasSubstr("under 2 lights"));
+  EXPECT_THAT(umbrameter({"scene", "show", "two.toml", "-o", "sky.png", "--light", "sky"}).out, HasSubstr("under 1 light\n"));
+  EXPECT_THAT(files(), ElementsAre("all.png", "sky.png", "two.toml"));
+  expect_bad_input(umbrameter({"scene", "show", "two.toml", "-o", "x.exr"}), ".png");
+}
+
 TEST_F(GlLights, ValidateScoresEachAndKnowsEachAgain) {
   const std::vector<std::string> all{"validate", "two.toml", "--technique", "hard",
                                      "--frames", "0",        "--json"};
