@@ -60,8 +60,7 @@ int check(const std::vector<std::string>& names, const GlobalOptions& global) {
                         describe(scene.lights), scene.hash);
     std::vector<std::string> warnings = scene.warnings;
     for (std::string& found : check_scene(scene)) warnings.push_back(std::move(found));
-    for (const std::string& warning : warnings)
-      text += fmt::format("{}: warning: {}\n", own_name, warning);
+    for (const std::string& warning : warnings) text += fmt::format("{}: warning: {}\n", own_name, warning);
     Json lights = Json::array();
     for (const Light& light : scene.lights)
       lights.push_back({{"name", light.name}, {"type", to_text(light.type)}});
@@ -154,11 +153,13 @@ void add_scene(CLI::App& app, CommandLine& line) {
     line.verb = [names, quality, &line] { return plan(*names, *quality, line.global); };
   });
   auto scene = std::make_shared<std::string>();
-  CLI::App* show_verb = verb->add_subcommand("show", "a lit picture with shadows of a scene to --out (default scene.png)");
+  CLI::App* show_verb =
+      verb->add_subcommand("show", "a lit picture with shadows of a scene to --out (default scene.png)");
   show_verb->fallthrough();
   show_verb->add_option("scene", *scene, "library name or scene file")->required();
   add_light_option(*show_verb, line.global);
-  show_verb->callback([scene, &line] { line.verb = [scene, &line] { return show_scene(*scene, line.global); }; });
+  show_verb->callback(
+      [scene, &line] { line.verb = [scene, &line] { return show_scene(*scene, line.global); }; });
   CLI::App* export_verb = verb->add_subcommand(
       "export", "mesh, camera and light for another engine, into --out (docs/your-engine.md)");
   export_verb->fallthrough();

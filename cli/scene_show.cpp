@@ -25,8 +25,8 @@ namespace {
 constexpr int kWidth_px = 640;
 constexpr int kHeight_px = 360;
 constexpr int kSamplesPerPixel = 16;
-constexpr float kFull = 0.8f;   // of white: where a light is brightest
-constexpr float kFaint = 0.12f; // of white: what faces the camera in the dark
+constexpr float kFull = 0.8f;    // of white: where a light is brightest
+constexpr float kFaint = 0.12f;  // of white: what faces the camera in the dark
 constexpr std::array<uint8_t, 3> kSky = {58, 66, 82};
 
 /// The brightest but for the brightest hundredth; 1 where there is no light at all.
@@ -73,7 +73,8 @@ int show_scene(const std::string& name, const GlobalOptions& global) {
   const std::vector<SceneJob> jobs = load_scene_jobs(name, scene_search(global, find_home()));
   const StagedFile file(global.out.empty() ? "scene.png" : global.out, ".png");
   for (const std::string& warning : jobs.front().scene.warnings) print_warning(warning);
-  const PictureQuality picture{.width_px = kWidth_px, .height_px = kHeight_px, .samples_per_pixel = kSamplesPerPixel};
+  const PictureQuality picture{
+      .width_px = kWidth_px, .height_px = kHeight_px, .samples_per_pixel = kSamplesPerPixel};
   const auto renderer = open_reference_renderer(global, picture);
   ProgressBar progress;
   std::vector<float> light(size_t{kWidth_px} * kHeight_px, 0.0f);

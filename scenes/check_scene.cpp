@@ -72,7 +72,8 @@ bool sees_anything(const Scene& scene) {
   const std::array<Side, 5> sides = sides_of(scene.camera);
   return std::any_of(scene.triangles.begin(), scene.triangles.end(), [&](const glm::uvec3& triangle) {
     std::vector<dvec3> polygon;
-    for (int c = 0; c < 3; ++c) polygon.push_back(dvec3(scene.positions_world[triangle[c]]) - scene.camera.eye_world);
+    for (int c = 0; c < 3; ++c)
+      polygon.push_back(dvec3(scene.positions_world[triangle[c]]) - scene.camera.eye_world);
     for (const Side& side : sides) polygon = clipped(polygon, side);
     return !polygon.empty();
   });
@@ -82,8 +83,9 @@ void check_camera(const Scene& scene, std::vector<std::string>& found) {
   if (!sees_anything(scene)) found.push_back("the camera sees nothing");
   const double distance = glm::distance(scene.camera.eye_world, scene.camera.at_world);
   if (distance >= kNearestTarget_world && distance <= kFarthestTarget_world) return;
-  found.push_back(
-      fmt::format("the camera is {:.4g} m from its target: are these metres? ('scale' of a mesh turns other units)", distance));
+  found.push_back(fmt::format(
+      "the camera is {:.4g} m from its target: are these metres? ('scale' of a mesh turns other units)",
+      distance));
 }
 
 /// Every vertex by the lowest one at its place.
@@ -158,7 +160,8 @@ bool holds_camera(const Scene& scene, const MeshPart& part) {
 void check_part(const Scene& scene, const MeshPart& part, std::vector<std::string>& found) {
   const EdgeCount edges = count_edges(scene, part);
   if (edges.open > 0 && edges.open * kEdgesPerHoleEdge <= edges.all) {
-    found.push_back(fmt::format("'{}' is not closed: {} of {} edges have one triangle", part.name, edges.open, edges.all));
+    found.push_back(fmt::format("'{}' is not closed: {} of {} edges have one triangle", part.name, edges.open,
+                                edges.all));
   } else if (edges.open == 0 && !holds_camera(scene, part) && signed_volume(scene, part) < 0.0) {
     found.push_back(fmt::format("'{}' is inside out: its triangles face inwards", part.name));
   }

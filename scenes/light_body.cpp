@@ -77,7 +77,8 @@ double triangle_distance(const dvec3& p, const dvec3& a, const dvec3& b, const d
 Bounds3 light_bounds(const Light& light) {
   Bounds3 bounds;
   if (light.type == LightType::sun) return bounds;
-  if (light.type == LightType::sphere) return {light.center_world - light.radius_world, light.center_world + light.radius_world};
+  if (light.type == LightType::sphere)
+    return {light.center_world - light.radius_world, light.center_world + light.radius_world};
   for (const dvec3& corner : outline_of(light)) {
     bounds.min = glm::min(bounds.min, corner);
     bounds.max = glm::max(bounds.max, corner);

@@ -77,7 +77,8 @@ TEST_F(Lights, CheckAndPlanNameThemAll) {
 
 TEST_F(Lights, ShowLightsThePictureByAllOrOne) {
   EXPECT_THAT(umbrameter({"scene", "show", "two.toml", "-o", "all.png"}).out, HasSubstr("under 2 lights"));
-  EXPECT_THAT(umbrameter({"scene", "show", "two.toml", "-o", "sky.png", "--light", "sky"}).out, HasSubstr("under 1 light\n"));
+  EXPECT_THAT(umbrameter({"scene", "show", "two.toml", "-o", "sky.png", "--light", "sky"}).out,
+              HasSubstr("under 1 light\n"));
   EXPECT_THAT(files(), ElementsAre("all.png", "sky.png", "two.toml"));
   expect_bad_input(umbrameter({"scene", "show", "two.toml", "-o", "x.exr"}), ".png");
 }

@@ -26,25 +26,32 @@ TEST(CheckScene, AFineSceneHasNoWarning) {
 }
 
 TEST(CheckScene, LightsThatFaceAway) {
-  EXPECT_THAT(found_in({.light = "type = \"rect\"\ncenter = [0, 4, 0]\ndirection = [0, 1, 0]\nsize = [1, 1]"}),
-              ElementsAre("light 'rect' faces away: all of the scene is behind it"));
+  EXPECT_THAT(
+      found_in({.light = "type = \"rect\"\ncenter = [0, 4, 0]\ndirection = [0, 1, 0]\nsize = [1, 1]"}),
+      ElementsAre("light 'rect' faces away: all of the scene is behind it"));
   EXPECT_THAT(found_in({.light = "type = \"sun\"\ndirection = [0, 1, 0.5]\nangular_diameter_deg = 1"}),
               ElementsAre("sun 'sun' shines upwards: 'direction' points away from it"));
-  EXPECT_THAT(found_in({.light = "type = \"sphere\"\ncenter = [0, 4, 0]\ndirection = [0, 1, 0]\nradius = 1"}), IsEmpty());
+  EXPECT_THAT(found_in({.light = "type = \"sphere\"\ncenter = [0, 4, 0]\ndirection = [0, 1, 0]\nradius = 1"}),
+              IsEmpty());
 }
 
 TEST(CheckScene, CamerasThatSeeNothing) {
-  EXPECT_THAT(found_in({.camera = "eye = [0, 1, 5]\nat = [0, 1, 10]", .mesh = kBox}), ElementsAre("the camera sees nothing"));
+  EXPECT_THAT(found_in({.camera = "eye = [0, 1, 5]\nat = [0, 1, 10]", .mesh = kBox}),
+              ElementsAre("the camera sees nothing"));
   EXPECT_THAT(found_in({.camera = "eye = [0, 1, 5]\nat = [40, 1, 5]\nfov_deg = 20", .mesh = kBox}),
               ElementsAre("the camera sees nothing"));
   // The plane passes below the camera and fills half of its view, though all its corners lie outside.
-  EXPECT_THAT(found_in({.camera = "eye = [0, 1, 0]\nat = [0, 0.9, 1]", .mesh = "shape = \"plane\"\nsize = [900, 900]"}), IsEmpty());
+  EXPECT_THAT(found_in({.camera = "eye = [0, 1, 0]\nat = [0, 0.9, 1]",
+                        .mesh = "shape = \"plane\"\nsize = [900, 900]"}),
+              IsEmpty());
 }
 
 TEST(CheckScene, SizesThatAreNoMetres) {
-  EXPECT_THAT(found_in({.camera = "eye = [320, 240, 440]\nat = [0, 40, 0]", .mesh = "shape = \"plane\"\nsize = [600, 600]"}),
+  EXPECT_THAT(found_in({.camera = "eye = [320, 240, 440]\nat = [0, 40, 0]",
+                        .mesh = "shape = \"plane\"\nsize = [600, 600]"}),
               ElementsAre(HasSubstr("the camera is 579.7 m from its target: are these metres?")));
-  EXPECT_THAT(found_in({.camera = "eye = [0, 0.005, 0.01]\nat = [0, 0, 0]"}), ElementsAre(HasSubstr("m from its target")));
+  EXPECT_THAT(found_in({.camera = "eye = [0, 0.005, 0.01]\nat = [0, 0, 0]"}),
+              ElementsAre(HasSubstr("m from its target")));
 }
 
 TEST(CheckScene, OpenAndInvertedMeshes) {
@@ -58,7 +65,9 @@ TEST(CheckScene, OpenAndInvertedMeshes) {
   scene = whole;
   scene.triangles.pop_back();
   --scene.parts.back().triangle_count;
-  EXPECT_THAT(check_scene(scene), ElementsAre(testing::MatchesRegex("'ball' is not closed: 3 of [0-9]+ edges have one triangle")));
+  EXPECT_THAT(
+      check_scene(scene),
+      ElementsAre(testing::MatchesRegex("'ball' is not closed: 3 of [0-9]+ edges have one triangle")));
 }
 
 Light light_of(LightType type) {
@@ -76,13 +85,13 @@ TEST(LightBody, TrianglesThatReachIntoIt) {
   };
   // Lights lie at the origin, the flat ones in the plane y = 0.
   const std::vector<Case> cases = {
-      {{0, -1, 0}, {0.1, 1, 0}, {0, 1, 0.1}, true, true, true},             // through the middle
-      {{5, -1, 5}, {-5, -1, 5}, {0, 5, -5}, true, true, true},              // around everything, across the plane
-      {{-5, 0, -5}, {5, 0, -5}, {0, 0, 5}, false, false, true},             // in the plane
-      {{0.8, -1, 0.4}, {0.8, 1, 0.4}, {0.8, 1, 0.45}, true, true, true},    // inside both outlines
-      {{0.8, -1, 0.55}, {0.8, 1, 0.55}, {0.8, 1, 0.58}, false, true, true}, // beyond the rect's side
-      {{0, 0.5, 0}, {0.2, 0.5, 0}, {0, 0.5, 0.2}, false, false, true},      // above, in the ball
-      {{-5, 1.0, -5}, {5, 1.0, -5}, {0, 1.0, 5}, false, false, false},      // touches the ball
+      {{0, -1, 0}, {0.1, 1, 0}, {0, 1, 0.1}, true, true, true},  // through the middle
+      {{5, -1, 5}, {-5, -1, 5}, {0, 5, -5}, true, true, true},   // around everything, across the plane
+      {{-5, 0, -5}, {5, 0, -5}, {0, 0, 5}, false, false, true},  // in the plane
+      {{0.8, -1, 0.4}, {0.8, 1, 0.4}, {0.8, 1, 0.45}, true, true, true},     // inside both outlines
+      {{0.8, -1, 0.55}, {0.8, 1, 0.55}, {0.8, 1, 0.58}, false, true, true},  // beyond the rect's side
+      {{0, 0.5, 0}, {0.2, 0.5, 0}, {0, 0.5, 0.2}, false, false, true},       // above, in the ball
+      {{-5, 1.0, -5}, {5, 1.0, -5}, {0, 1.0, 5}, false, false, false},       // touches the ball
   };
   for (size_t i = 0; i < cases.size(); ++i) {
     const Case& one = cases[i];
