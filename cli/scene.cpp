@@ -6,6 +6,7 @@
 #include "cli/light_option.h"
 #include "cli/quality.h"
 #include "cli/scene_export.h"
+#include "cli/scene_import.h"
 #include "cli/scene_show.h"
 #include "scenes/check_scene.h"
 
@@ -153,6 +154,12 @@ void add_scene(CLI::App& app, CommandLine& line) {
     line.verb = [names, quality, &line] { return plan(*names, *quality, line.global); };
   });
   auto scene = std::make_shared<std::string>();
+  CLI::App* import_verb =
+      verb->add_subcommand("import", "a scene file to --out (default scene.toml) that refers to a glTF file");
+  import_verb->fallthrough();
+  import_verb->add_option("file", *scene, ".gltf or .glb")->required();
+  import_verb->callback(
+      [scene, &line] { line.verb = [scene, &line] { return import_scene(*scene, line.global); }; });
   CLI::App* show_verb =
       verb->add_subcommand("show", "a lit picture with shadows of a scene to --out (default scene.png)");
   show_verb->fallthrough();

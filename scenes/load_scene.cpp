@@ -2,6 +2,8 @@
 #include "scenes/load_scene.h"
 
 #include "core/files.h"
+#include "scenes/gltf/gltf_model.h"
+#include "scenes/gltf/import_gltf.h"
 #include "scenes/light_enclosure.h"
 #include "scenes/read_camera.h"
 #include "scenes/read_light.h"
@@ -96,7 +98,11 @@ Scene seen_from(Scene scene, const Camera& camera) {
 }
 
 Scene load_scene(const std::filesystem::path& file, const SceneSearch& search) {
-  return parse_scene(read_file(file), file, search);
+  if (!is_gltf(file.string())) return parse_scene(read_file(file), file, search);
+  const ImportedScene imported = import_gltf(file);
+  Scene scene = parse_scene(imported.toml, file, search);
+  scene.warnings.insert(scene.warnings.begin(), imported.warnings.begin(), imported.warnings.end());
+  return scene;
 }
 
 }  // namespace umbrameter

@@ -18,7 +18,7 @@ struct SceneSearch {
   std::string light = {};         // name or number of the one that verbs look at; empty = every light
 };
 
-/// Loads a scene file, with all its lights. Meshes named by file are looked for beside the scene file, then in `search.assets`.
+/// Loads a scene file, with all its lights; or a glTF file as scenes/gltf/import_gltf.h reads it. Meshes named by file are looked for beside the scene file, then in `search.assets`.
 /// Error{input} with file, line, column and hint for every kind of bad input.
 Scene load_scene(const std::filesystem::path& file, const SceneSearch& search);
 

@@ -14,13 +14,9 @@ std::span<const float> coverage_of(const Image& image) {
   return image.planes.begin()->second;
 }
 
-}  // namespace
-
-AlphaMask read_mask(const std::filesystem::path& path, float alpha) {
-  const Image image = read_image(path);
-  const std::span<const float> coverage = coverage_of(image);
-  AlphaMask mask{
-      path.filename().string(), static_cast<uint32_t>(image.width), static_cast<uint32_t>(image.height), {}};
+AlphaMask make_mask(const Image& image, std::span<const float> coverage, const std::string& name,
+                    float alpha) {
+  AlphaMask mask{name, static_cast<uint32_t>(image.width), static_cast<uint32_t>(image.height), {}};
   mask.bits.resize((image.pixel_count() + 31) / 32, 0);
   for (uint32_t y = 0; y < mask.height; ++y) {
     const size_t row = size_t{mask.height - 1 - y} * mask.width;
@@ -30,6 +26,18 @@ AlphaMask read_mask(const std::filesystem::path& path, float alpha) {
     }
   }
   return mask;
+}
+
+}  // namespace
+
+AlphaMask read_mask(const std::filesystem::path& path, float alpha) {
+  const Image image = read_image(path);
+  return make_mask(image, coverage_of(image), path.filename().string(), alpha);
+}
+
+std::optional<AlphaMask> mask_by_alpha(const Image& image, const std::string& name, float alpha) {
+  if (!image.has("A")) return std::nullopt;
+  return make_mask(image, image.plane("A"), name, alpha);
 }
 
 }  // namespace umbrameter

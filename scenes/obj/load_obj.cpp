@@ -65,7 +65,7 @@ tinyobj::callback_t callbacks() {
 
 }  // namespace
 
-MeshData load_obj(const std::filesystem::path& path, const ObjFilter& filter,
+MeshData load_obj(const std::filesystem::path& path, const MeshFilter& filter,
                   std::vector<std::string>& warnings) {
   ObjLines lines(open_bytes(path), path.string());
   std::istream stream(&lines);

@@ -89,7 +89,7 @@ void split_vertices(MeshData& mesh, const std::vector<glm::dvec3>& normals,
 
 }  // namespace
 
-ObjBuilder::ObjBuilder(ObjLines& lines, const ObjFilter& filter)
+ObjBuilder::ObjBuilder(ObjLines& lines, const MeshFilter& filter)
     : lines_(lines), filter_(filter), cutouts_(lines.file()) {}
 
 void ObjBuilder::fail(const std::string& message, const std::string& hint) const {

@@ -23,7 +23,7 @@ struct ObjCorner {
 
 class ObjBuilder {
  public:
-  ObjBuilder(ObjLines& lines, const ObjFilter& filter);
+  ObjBuilder(ObjLines& lines, const MeshFilter& filter);
 
   void add_position(const glm::dvec3& p);
   void add_normal(const glm::dvec3& n);
@@ -50,7 +50,7 @@ class ObjBuilder {
   [[noreturn]] void fail(const std::string& message, const std::string& hint = {}) const;
 
   ObjLines& lines_;
-  const ObjFilter& filter_;
+  const MeshFilter& filter_;
   MeshData mesh_;
   std::vector<glm::dvec3> normals_;
   std::vector<glm::uvec3>

@@ -83,6 +83,27 @@ TEST_F(Lights, ShowLightsThePictureByAllOrOne) {
   expect_bad_input(umbrameter({"scene", "show", "two.toml", "-o", "x.exr"}), ".png");
 }
 
+TEST_F(Lights, ImportedScenesCanBeEditedOrUsedAsTheyAre) {
+  write("x.gltf", R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0, 1]}], "scene": 0,
+    "nodes": [{"mesh": 0}, {"name": "lamp", "translation": [0, 0, 3], "extras": {"radius": 0.5},
+               "extensions": {"KHR_lights_punctual": {"light": 0}}}],
+    "extensions": {"KHR_lights_punctual": {"lights": [{"type": "point"}]}},
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]}],
+    "bufferViews": [{"buffer": 0, "byteLength": 36}],
+    "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})");
+  const ProcessResult made = umbrameter({"scene", "import", "x.gltf", "-o", "sub/x.toml"});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_THAT(made.err, HasSubstr("it has no camera"));
+  const Json own = Json::parse(umbrameter({"scene", "check", "x.gltf", "--json"}).out)["scenes"][0];
+  const Json edited = Json::parse(umbrameter({"scene", "check", "sub/x.toml", "--json"}).out)["scenes"][0];
+  EXPECT_EQ(own["triangles"], 1);
+  EXPECT_EQ(own["hash"], edited["hash"]);
+  EXPECT_EQ(own["lights"][0]["name"], "lamp");
+  expect_bad_input(umbrameter({"scene", "import", "two.toml"}), "unknown format");
+  expect_bad_input(umbrameter({"scene", "import", "gone.glb"}), "gone.glb");
+}
+
 TEST_F(GlLights, ValidateScoresEachAndKnowsEachAgain) {
   const std::vector<std::string> all{"validate", "two.toml", "--technique", "hard",
                                      "--frames", "0",        "--json"};

@@ -196,9 +196,9 @@ TEST(SceneErrors, MissingMeshFileSaysWhereItWasSought) {
 }
 
 TEST(SceneErrors, UnknownMeshFormat) {
-  EXPECT_EQ(
-      error_of_mesh("file = \"bunny.ply\""),
-      "x.toml:5:8: [[mesh]]: mesh file 'bunny.ply' has an unknown format ('.obj' and '.obj.zst' are read)");
+  EXPECT_EQ(error_of_mesh("file = \"bunny.ply\""),
+            "x.toml:5:8: [[mesh]]: mesh file 'bunny.ply' has an unknown format ('.obj', '.obj.zst', '.gltf' "
+            "and '.glb' are read)");
 }
 
 TEST(SceneErrors, MissingSceneFile) {
