@@ -15,7 +15,8 @@ namespace umbrameter {
 
 int import_scene(const std::string& name, const GlobalOptions& global) {
   namespace fs = std::filesystem;
-  if (!is_gltf(name)) fail_input(fmt::format("'{}' has an unknown format", name), {}, "'.gltf' and '.glb' are read");
+  if (!is_gltf(name))
+    fail_input(fmt::format("'{}' has an unknown format", name), {}, "'.gltf' and '.glb' are read");
   const fs::path file(name);
   const fs::path target = global.out.empty() ? "scene.toml" : global.out;
   if (target.extension() != ".toml")
@@ -29,7 +30,8 @@ int import_scene(const std::string& name, const GlobalOptions& global) {
     for (const std::string& warning : *warnings) print_warning(warning);
   }
   if (global.json) {
-    print_json({{"file", target.string()}, {"triangles", scene.triangles.size()}, {"lights", scene.lights.size()}});
+    print_json(
+        {{"file", target.string()}, {"triangles", scene.triangles.size()}, {"lights", scene.lights.size()}});
   } else {
     print_answer(fmt::format("{}: {} triangles, {} light{}\n", target.string(), scene.triangles.size(),
                              scene.lights.size(), scene.lights.size() == 1 ? "" : "s"));

@@ -57,7 +57,8 @@ float alpha_scale(const tinygltf::Material& material, double cutoff) {
 
 }  // namespace
 
-std::optional<GltfHoles> read_gltf_holes(const GltfFile& file, int material, std::vector<std::string>& warnings) {
+std::optional<GltfHoles> read_gltf_holes(const GltfFile& file, int material,
+                                         std::vector<std::string>& warnings) {
   const tinygltf::Model& model = *file.model;
   if (material < 0 || static_cast<size_t>(material) >= model.materials.size()) return std::nullopt;
   const tinygltf::Material& m = model.materials[static_cast<size_t>(material)];
@@ -66,7 +67,8 @@ std::optional<GltfHoles> read_gltf_holes(const GltfFile& file, int material, std
   const double cutoff = is_blend ? kBlendCutoff : m.alphaCutoff;
   if (!(cutoff > 0.0)) return std::nullopt;
   const std::string what = fmt::format("{}: material '{}'", file.path.filename().string(), m.name);
-  if (is_blend) warnings.push_back(fmt::format("{} blends: it is solid from an alpha of 0.5 on, and a hole below", what));
+  if (is_blend)
+    warnings.push_back(fmt::format("{} blends: it is solid from an alpha of 0.5 on, and a hole below", what));
   const tinygltf::TextureInfo& info = m.pbrMetallicRoughness.baseColorTexture;
   const float scale = alpha_scale(m, cutoff);
   const tinygltf::Image* picture = picture_of(model, info.index);
@@ -75,10 +77,12 @@ std::optional<GltfHoles> read_gltf_holes(const GltfFile& file, int material, std
     return GltfHoles{AlphaMask{m.name, 1, 1, {0}}, 0, glm::dmat3(1.0)};
   }
   if (picture->image.empty()) {
-    warnings.push_back(fmt::format("{}: the picture '{}' is not there, so it is solid", what, name_of(*picture)));
+    warnings.push_back(
+        fmt::format("{}: the picture '{}' is not there, so it is solid", what, name_of(*picture)));
     return std::nullopt;
   }
-  auto mask = mask_by_alpha(read_image(std::span<const uint8_t>(picture->image), name_of(*picture)), name_of(*picture), scale);
+  auto mask = mask_by_alpha(read_image(std::span<const uint8_t>(picture->image), name_of(*picture)),
+                            name_of(*picture), scale);
   if (!mask && scale >= kLeastAlpha) return std::nullopt;  // no alpha channel: 1 everywhere
   if (!mask) mask = AlphaMask{m.name, 1, 1, {0}};
   return GltfHoles{std::move(*mask), info.texCoord, uv_transform(info)};

@@ -15,11 +15,12 @@ namespace umbrameter {
 
 struct GltfHoles {
   AlphaMask mask;
-  int texture_set = 0;  // TEXCOORD_<n>
+  int texture_set = 0;           // TEXCOORD_<n>
   glm::dmat3 uv_from_file{1.0};  // of homogeneous coordinates: KHR_texture_transform, and v upwards
 };
 
 /// Of material `material` (-1 = none). Absent where it is solid; what is odd is said in `warnings`.
-std::optional<GltfHoles> read_gltf_holes(const GltfFile& file, int material, std::vector<std::string>& warnings);
+std::optional<GltfHoles> read_gltf_holes(const GltfFile& file, int material,
+                                         std::vector<std::string>& warnings);
 
 }  // namespace umbrameter

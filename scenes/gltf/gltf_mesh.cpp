@@ -44,7 +44,8 @@ std::vector<glm::uvec3> triangles_of(int mode, const std::vector<uint32_t>& indi
   std::vector<glm::uvec3> triangles;
   const size_t count = indices.size();
   if (mode == TINYGLTF_MODE_TRIANGLES) {
-    for (size_t i = 0; i + 2 < count; i += 3) triangles.emplace_back(indices[i], indices[i + 1], indices[i + 2]);
+    for (size_t i = 0; i + 2 < count; i += 3)
+      triangles.emplace_back(indices[i], indices[i + 1], indices[i + 2]);
   } else if (mode == TINYGLTF_MODE_TRIANGLE_FAN) {
     for (size_t i = 1; i + 1 < count; ++i) triangles.emplace_back(indices[0], indices[i], indices[i + 1]);
   } else {
@@ -74,28 +75,33 @@ class Reader {
     const tinygltf::Node& source = model_.nodes[static_cast<size_t>(node.node)];
     if (source.mesh < 0) return;
     if (static_cast<size_t>(source.mesh) >= model_.meshes.size())
-      fail(fmt::format("{} names mesh {}, but there are {}", gltf_node_name(file_, node.node), source.mesh, model_.meshes.size()));
+      fail(fmt::format("{} names mesh {}, but there are {}", gltf_node_name(file_, node.node), source.mesh,
+                       model_.meshes.size()));
     if (source.skin >= 0) ++skins_;
     const tinygltf::Mesh& mesh = model_.meshes[static_cast<size_t>(source.mesh)];
-    for (const tinygltf::Primitive& primitive : mesh.primitives) read_primitive(primitive, mesh, source, node);
+    for (const tinygltf::Primitive& primitive : mesh.primitives)
+      read_primitive(primitive, mesh, source, node);
   }
 
   bool is_kept(const std::set<std::string>& names) const {
     const auto matches = [&](const std::vector<std::string>& list) {
-      return std::any_of(list.begin(), list.end(), [&](const std::string& name) { return names.count(name) > 0; });
+      return std::any_of(list.begin(), list.end(),
+                         [&](const std::string& name) { return names.count(name) > 0; });
     };
     return (filter_.include.empty() || matches(filter_.include)) && !matches(filter_.exclude);
   }
 
-  void read_primitive(const tinygltf::Primitive& source, const tinygltf::Mesh& mesh, const tinygltf::Node& owner,
-                      const GltfNode& node) {
+  void read_primitive(const tinygltf::Primitive& source, const tinygltf::Mesh& mesh,
+                      const tinygltf::Node& owner, const GltfNode& node) {
     const int mode = source.mode < 0 ? TINYGLTF_MODE_TRIANGLES : source.mode;
     if (mode < TINYGLTF_MODE_TRIANGLES) {
       ++lines_;
       return;
     }
-    const bool has_material = source.material >= 0 && static_cast<size_t>(source.material) < model_.materials.size();
-    const std::string material = has_material ? model_.materials[static_cast<size_t>(source.material)].name : "";
+    const bool has_material =
+        source.material >= 0 && static_cast<size_t>(source.material) < model_.materials.size();
+    const std::string material =
+        has_material ? model_.materials[static_cast<size_t>(source.material)].name : "";
     const std::set<std::string> names{material, mesh.name, owner.name};
     seen_.insert(names.begin(), names.end());
     if (!is_kept(names)) return;
@@ -117,7 +123,8 @@ class Reader {
 
   void read_vertices(const tinygltf::Primitive& source, const GltfNode& node, Primitive& made) const {
     const int* position = find(source, "POSITION");
-    if (position == nullptr) fail(fmt::format("a primitive of {} has no positions", gltf_node_name(file_, node.node)));
+    if (position == nullptr)
+      fail(fmt::format("a primitive of {} has no positions", gltf_node_name(file_, node.node)));
     for (const glm::dvec4& p : read_gltf_vectors(file_, *position, "POSITION"))
       made.vertices.push_back({dvec3(node.world_from_node * glm::dvec4(dvec3(p), 1.0))});
     const int* normal = find(source, "NORMAL");
@@ -135,7 +142,8 @@ class Reader {
     made.has_normals = true;
   }
 
-  void read_triangles(const tinygltf::Primitive& source, int mode, const GltfNode& node, Primitive& made) const {
+  void read_triangles(const tinygltf::Primitive& source, int mode, const GltfNode& node,
+                      Primitive& made) const {
     std::vector<uint32_t> indices;
     if (source.indices >= 0) {
       indices = read_gltf_indices(file_, source.indices);
@@ -144,8 +152,8 @@ class Reader {
     }
     for (const uint32_t index : indices) {
       if (index >= made.vertices.size())
-        fail(fmt::format("a primitive of {} refers to vertex {}, but has {}", gltf_node_name(file_, node.node), index,
-                         made.vertices.size()));
+        fail(fmt::format("a primitive of {} refers to vertex {}, but has {}",
+                         gltf_node_name(file_, node.node), index, made.vertices.size()));
     }
     made.triangles = triangles_of(mode, indices);
     if (glm::determinant(glm::dmat3(node.world_from_node)) >= 0.0) return;
@@ -166,24 +174,28 @@ class Reader {
     const int* texture = find(source, fmt::format("TEXCOORD_{}", holes.texture_set));
     if (texture == nullptr) return;
     const std::vector<glm::dvec4> points = read_gltf_vectors(file_, *texture, "texture points");
-    if (points.size() != made.vertices.size()) fail("a primitive has not as many texture points as positions");
+    if (points.size() != made.vertices.size())
+      fail("a primitive has not as many texture points as positions");
     for (size_t i = 0; i < points.size(); ++i) {
       const glm::vec2 uv(glm::dvec2(holes.uv_from_file * dvec3(points[i].x, points[i].y, 1.0)));
       if (!(std::abs(uv.x) <= kMaxUv && std::abs(uv.y) <= kMaxUv))
-        fail(fmt::format("a texture point of material {} is not finite or beyond {}", source.material, kMaxUv));
+        fail(fmt::format("a texture point of material {} is not finite or beyond {}", source.material,
+                         kMaxUv));
       made.vertices[i].uv = uv;
     }
   }
 
   void say(size_t count, const char* one, const char* many) {
     if (count > 0)
-      warnings_.push_back(fmt::format("{}: {} {}", file_.path.filename().string(), count, count == 1 ? one : many));
+      warnings_.push_back(
+          fmt::format("{}: {} {}", file_.path.filename().string(), count, count == 1 ? one : many));
   }
 
   void say_what_is_left_out() {
     say(lines_, "primitive of points or lines is left out", "primitives of points or lines are left out");
     say(skins_, "skinned node stands in its rest pose", "skinned nodes stand in their rest pose");
-    say(morphs_, "primitive with morph targets has its base shape", "primitives with morph targets have their base shape");
+    say(morphs_, "primitive with morph targets has its base shape",
+        "primitives with morph targets have their base shape");
     say(model_.animations.size(), "animation is not read", "animations are not read");
   }
 
@@ -200,8 +212,8 @@ class Reader {
 
   /// Material by material; a vertex for each corner of flat triangles among smooth ones.
   MeshData assemble() {
-    const bool is_smooth =
-        std::any_of(primitives_.begin(), primitives_.end(), [](const Primitive& one) { return one.has_normals; });
+    const bool is_smooth = std::any_of(primitives_.begin(), primitives_.end(),
+                                       [](const Primitive& one) { return one.has_normals; });
     std::vector<std::string> labels;
     for (const Primitive& one : primitives_) {
       if (std::find(labels.begin(), labels.end(), one.label) == labels.end()) labels.push_back(one.label);
@@ -230,7 +242,8 @@ class Reader {
       mesh_.triangles.push_back(is_smooth && !is_usable ? flat_triangle(one, t) : t + base);
       mesh_.cutout_of_triangle.push_back(one.mask ? static_cast<uint32_t>(mesh_.cutouts.size()) : kSolid);
       if (!one.mask) continue;
-      mesh_.cutouts.push_back({{one.vertices[t.x].uv, one.vertices[t.y].uv, one.vertices[t.z].uv}, *one.mask});
+      mesh_.cutouts.push_back(
+          {{one.vertices[t.x].uv, one.vertices[t.y].uv, one.vertices[t.z].uv}, *one.mask});
     }
   }
 

@@ -26,7 +26,8 @@ constexpr size_t kMaxFileBytes = size_t{4} << 30;
 constexpr std::array<std::string_view, 3> kKnownExtensions = {"KHR_lights_punctual", "KHR_mesh_quantization",
                                                               "KHR_texture_transform"};
 
-[[noreturn]] void fail(const std::filesystem::path& path, const std::string& message, const std::string& hint = {}) {
+[[noreturn]] void fail(const std::filesystem::path& path, const std::string& message,
+                       const std::string& hint = {}) {
   fail_input(message, {path.string()}, hint);
 }
 
@@ -40,17 +41,20 @@ uint32_t word_at(const std::string& bytes, size_t offset) {
 void check_container(const std::filesystem::path& path, const std::string& bytes) {
   constexpr size_t kHeader = 20;
   if (!has_ending(path.string(), ".glb")) return;
-  if (bytes.size() < kHeader || !bytes.starts_with("glTF")) fail(path, "this is no GLB file: it does not begin with 'glTF'");
-  if (word_at(bytes, 4) != 2) fail(path, fmt::format("version {} of glTF is not read", word_at(bytes, 4)), "only 2 is");
+  if (bytes.size() < kHeader || !bytes.starts_with("glTF"))
+    fail(path, "this is no GLB file: it does not begin with 'glTF'");
+  if (word_at(bytes, 4) != 2)
+    fail(path, fmt::format("version {} of glTF is not read", word_at(bytes, 4)), "only 2 is");
   const uint32_t stated = word_at(bytes, 8);
   if (stated > bytes.size())
     fail(path, fmt::format("the file is cut off: it has {} of {} bytes", bytes.size(), stated));
-  if (size_t{word_at(bytes, 12)} + kHeader > stated) fail(path, "its JSON reaches beyond the end of the file");
+  if (size_t{word_at(bytes, 12)} + kHeader > stated)
+    fail(path, "its JSON reaches beyond the end of the file");
 }
 
 /// Keeps a picture's file as it is; scenes/read_mask.h looks at it if it matters.
-bool keep_picture(tinygltf::Image* image, const int, std::string*, std::string*, int, int, const unsigned char* bytes,
-                  int count, void*) {
+bool keep_picture(tinygltf::Image* image, const int, std::string*, std::string*, int, int,
+                  const unsigned char* bytes, int count, void*) {
   image->image.assign(bytes, bytes + count);
   return true;
 }
@@ -66,8 +70,9 @@ std::shared_ptr<const tinygltf::Model> parse(const std::filesystem::path& path, 
   const auto* data = reinterpret_cast<const unsigned char*>(bytes.data());
   bool is_fine = false;
   try {
-    is_fine = is_binary ? loader.LoadBinaryFromMemory(model.get(), &error, &warning, data, size, folder)
-                        : loader.LoadASCIIFromString(model.get(), &error, &warning, bytes.data(), size, folder);
+    is_fine = is_binary
+                  ? loader.LoadBinaryFromMemory(model.get(), &error, &warning, data, size, folder)
+                  : loader.LoadASCIIFromString(model.get(), &error, &warning, bytes.data(), size, folder);
   } catch (const nlohmann::json::exception& exception) {
     error = exception.what();
   }
@@ -80,8 +85,11 @@ std::shared_ptr<const tinygltf::Model> parse(const std::filesystem::path& path, 
 void check_extensions(const std::filesystem::path& path, const tinygltf::Model& model) {
   for (const std::string& name : model.extensionsRequired) {
     const bool is_material = name.starts_with("KHR_materials_");  // colours only
-    if (is_material || std::find(kKnownExtensions.begin(), kKnownExtensions.end(), name) != kKnownExtensions.end()) continue;
-    fail(path, fmt::format("the file requires extension '{}', which is not read", name), "export without compression");
+    if (is_material ||
+        std::find(kKnownExtensions.begin(), kKnownExtensions.end(), name) != kKnownExtensions.end())
+      continue;
+    fail(path, fmt::format("the file requires extension '{}', which is not read", name),
+         "export without compression");
   }
 }
 
@@ -89,11 +97,13 @@ glm::dmat4 parent_from_node(const tinygltf::Node& node) {
   if (node.matrix.size() == 16) return glm::make_mat4(node.matrix.data());
   glm::dmat4 matrix(1.0);
   if (node.rotation.size() == 4)
-    matrix = glm::mat4_cast(glm::dquat(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]));
+    matrix =
+        glm::mat4_cast(glm::dquat(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]));
   if (node.scale.size() == 3) {
     for (int axis = 0; axis < 3; ++axis) matrix[axis] *= node.scale[static_cast<size_t>(axis)];
   }
-  if (node.translation.size() == 3) matrix[3] = glm::dvec4(node.translation[0], node.translation[1], node.translation[2], 1.0);
+  if (node.translation.size() == 3)
+    matrix[3] = glm::dvec4(node.translation[0], node.translation[1], node.translation[2], 1.0);
   return matrix;
 }
 
@@ -106,7 +116,8 @@ std::vector<int> roots_of(const tinygltf::Model& model) {
   if (model.defaultScene >= 0 && static_cast<size_t>(model.defaultScene) < model.scenes.size())
     return model.scenes[static_cast<size_t>(model.defaultScene)].nodes;
   std::vector<int> roots;
-  for (const tinygltf::Scene& scene : model.scenes) roots.insert(roots.end(), scene.nodes.begin(), scene.nodes.end());
+  for (const tinygltf::Scene& scene : model.scenes)
+    roots.insert(roots.end(), scene.nodes.begin(), scene.nodes.end());
   return roots;
 }
 
@@ -124,13 +135,16 @@ void collect_nodes(GltfFile& file) {
       fail(file.path, fmt::format("node {} is named, but there are {}", next.node, model.nodes.size()));
     const auto index = static_cast<size_t>(next.node);
     if (is_seen[index])
-      fail(file.path, fmt::format("{} is its own ancestor or has two parents", gltf_node_name(file, next.node)));
+      fail(file.path,
+           fmt::format("{} is its own ancestor or has two parents", gltf_node_name(file, next.node)));
     is_seen[index] = true;
     const tinygltf::Node& node = model.nodes[index];
     const glm::dmat4 world = next.world_from_node * parent_from_node(node);
-    if (!is_finite(world)) fail(file.path, fmt::format("the transform of {} is not finite", gltf_node_name(file, next.node)));
+    if (!is_finite(world))
+      fail(file.path, fmt::format("the transform of {} is not finite", gltf_node_name(file, next.node)));
     file.nodes.push_back({next.node, world});
-    for (auto child = node.children.rbegin(); child != node.children.rend(); ++child) waiting.push_back({*child, world});
+    for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
+      waiting.push_back({*child, world});
   }
 }
 
@@ -167,17 +181,20 @@ Elements elements_of(const GltfFile& file, int index, const std::string& what) {
   const std::vector<unsigned char>& bytes = model.buffers[static_cast<size_t>(view.buffer)].data;
   const int stride = accessor.ByteStride(view);
   const int components = tinygltf::GetNumComponentsInType(static_cast<uint32_t>(accessor.type));
-  const int component_bytes = tinygltf::GetComponentSizeInBytes(static_cast<uint32_t>(accessor.componentType));
-  if (stride <= 0 || components <= 0 || components > 4 || component_bytes <= 0) refuse("has a type that is not read");
+  const int component_bytes =
+      tinygltf::GetComponentSizeInBytes(static_cast<uint32_t>(accessor.componentType));
+  if (stride <= 0 || components <= 0 || components > 4 || component_bytes <= 0)
+    refuse("has a type that is not read");
   const size_t element = static_cast<size_t>(components) * static_cast<size_t>(component_bytes);
   const size_t start = view.byteOffset + accessor.byteOffset;
   const size_t view_end = view.byteOffset + view.byteLength;
   const bool is_empty = accessor.count == 0;
   const bool overflows = accessor.count > kMaxFileBytes || start > bytes.size() || view_end > bytes.size();
-  if (overflows || (!is_empty && start + (accessor.count - 1) * static_cast<size_t>(stride) + element > view_end))
+  if (overflows ||
+      (!is_empty && start + (accessor.count - 1) * static_cast<size_t>(stride) + element > view_end))
     refuse(fmt::format("wants {} elements, more than its buffer holds", accessor.count));
-  return {bytes.data() + start, accessor.count,     static_cast<size_t>(stride),
-          accessor.componentType, components, accessor.normalized};
+  return {bytes.data() + start,   accessor.count, static_cast<size_t>(stride),
+          accessor.componentType, components,     accessor.normalized};
 }
 
 template <class T>
@@ -241,7 +258,8 @@ std::vector<uint32_t> read_gltf_indices(const GltfFile& file, int accessor) {
   const bool is_whole = elements.component_type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
                         elements.component_type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ||
                         elements.component_type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
-  if (!is_whole || elements.components != 1) fail(file.path, fmt::format("accessor {} holds no indices", accessor));
+  if (!is_whole || elements.components != 1)
+    fail(file.path, fmt::format("accessor {} holds no indices", accessor));
   std::vector<uint32_t> indices(elements.count);
   for (size_t i = 0; i < elements.count; ++i)
     indices[i] = static_cast<uint32_t>(component_at(elements, elements.first + i * elements.stride, 0));

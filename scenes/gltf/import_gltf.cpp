@@ -31,7 +31,9 @@ std::string list(const dvec3& v) {
 class Importer {
  public:
   Importer(const std::filesystem::path& path, const std::filesystem::path& mesh_file)
-      : file_(open_gltf(path)), model_(*file_.model), mesh_file_(mesh_file.empty() ? path.filename() : mesh_file) {
+      : file_(open_gltf(path)),
+        model_(*file_.model),
+        mesh_file_(mesh_file.empty() ? path.filename() : mesh_file) {
     std::vector<std::string> ignored;  // said when the mesh is loaded
     const MeshData mesh = load_gltf_mesh(file_, {}, ignored);
     for (const dvec3& p : mesh.positions) {
@@ -50,7 +52,9 @@ class Importer {
   }
 
  private:
-  const tinygltf::Node& source(const GltfNode& node) const { return model_.nodes[static_cast<size_t>(node.node)]; }
+  const tinygltf::Node& source(const GltfNode& node) const {
+    return model_.nodes[static_cast<size_t>(node.node)];
+  }
 
   void warn(const std::string& text) {
     imported_.warnings.push_back(fmt::format("{}: {}", file_.path.filename().string(), text));
@@ -64,13 +68,15 @@ class Importer {
     const dvec3 forward = glm::normalize(-dvec3(node.world_from_node[2]));
     const double ahead = glm::dot(middle() - eye, forward);
     const double distance = ahead > 0.0 ? ahead : 1.0;
-    return fmt::format("[camera]\neye = {}\nat = {}\nup = {}\nfov_deg = {}\n", list(eye), list(eye + distance * forward),
-                       list(glm::normalize(dvec3(node.world_from_node[1]))), glm::degrees(camera.yfov));
+    return fmt::format("[camera]\neye = {}\nat = {}\nup = {}\nfov_deg = {}\n", list(eye),
+                       list(eye + distance * forward), list(glm::normalize(dvec3(node.world_from_node[1]))),
+                       glm::degrees(camera.yfov));
   }
 
   static std::string commented(const std::string& text) {
     std::string result = "# ";
-    for (const char c : text.substr(0, text.size() - 1)) result += c == '\n' ? std::string("\n# ") : std::string(1, c);
+    for (const char c : text.substr(0, text.size() - 1))
+      result += c == '\n' ? std::string("\n# ") : std::string(1, c);
     return result + "\n";
   }
 
@@ -89,7 +95,8 @@ class Importer {
       imported_.toml += "\n# camera of " + name + "\n" + (names.empty() ? text : commented(text));
       names.push_back(name);
     }
-    if (names.size() > 1) warn(fmt::format("it has {} cameras; the scene is seen from that of {}", names.size(), names.front()));
+    if (names.size() > 1)
+      warn(fmt::format("it has {} cameras; the scene is seen from that of {}", names.size(), names.front()));
     if (!names.empty()) return;
     warn("it has no camera; the scene is seen from a corner");
     const double size = glm::length(bounds_.max - bounds_.min);
@@ -110,13 +117,15 @@ class Importer {
     for (const tinygltf::Value* extras : {&source(node).extras, &light.extras}) {
       if (!extras->IsObject() || !extras->Has("size")) continue;
       const tinygltf::Value& size = extras->Get("size");
-      if (!size.IsArray() || size.ArrayLen() != 2 || !size.Get(0).IsNumber() || !size.Get(1).IsNumber()) continue;
+      if (!size.IsArray() || size.ArrayLen() != 2 || !size.Get(0).IsNumber() || !size.Get(1).IsNumber())
+        continue;
       return glm::dvec2(size.Get(0).GetNumberAsDouble(), size.Get(1).GetNumberAsDouble());
     }
     return std::nullopt;
   }
 
-  double known_or(const std::optional<double>& value, double fallback, const std::string& name, const char* what) {
+  double known_or(const std::optional<double>& value, double fallback, const std::string& name,
+                  const char* what) {
     if (value) return *value;
     warn(fmt::format("light '{}' has no {}; {} is taken", name, what, fallback));
     return fallback;
@@ -124,13 +133,16 @@ class Importer {
 
   std::string unique(std::string name) {
     const std::string stem = name;
-    for (int number = 2; !light_names_.insert(name).second; ++number) name = fmt::format("{}-{}", stem, number);
+    for (int number = 2; !light_names_.insert(name).second; ++number)
+      name = fmt::format("{}-{}", stem, number);
     return name;
   }
 
   void add_light(const GltfNode& node, const tinygltf::Light& light) {
     const std::string& node_name = source(node).name;
-    const std::string name = unique(!node_name.empty() ? node_name : !light.name.empty() ? light.name : light.type);
+    const std::string name = unique(!node_name.empty()    ? node_name
+                                    : !light.name.empty() ? light.name
+                                                          : light.type);
     const dvec3 center(node.world_from_node[3]);
     const dvec3 forward = glm::normalize(-dvec3(node.world_from_node[2]));
     std::string text = fmt::format("\n[[light]]\nname = {}\n", quoted(name));
@@ -138,14 +150,17 @@ class Importer {
     if (light.type == "directional") {
       const double diameter_deg =
           known_or(extra(node, light, "angular_diameter_deg"), kSun_deg, name, "angular diameter in degrees");
-      text += fmt::format("type = \"sun\"\ndirection = {}\nangular_diameter_deg = {}\n", list(forward), diameter_deg);
+      text += fmt::format("type = \"sun\"\ndirection = {}\nangular_diameter_deg = {}\n", list(forward),
+                          diameter_deg);
     } else if (size) {
-      text += fmt::format("type = \"rect\"\ncenter = {}\ndirection = {}\ntangent = {}\nsize = [{}, {}]\n", list(center),
-                          list(forward), list(glm::normalize(dvec3(node.world_from_node[0]))), size->x, size->y);
+      text += fmt::format("type = \"rect\"\ncenter = {}\ndirection = {}\ntangent = {}\nsize = [{}, {}]\n",
+                          list(center), list(forward), list(glm::normalize(dvec3(node.world_from_node[0]))),
+                          size->x, size->y);
     } else {
       const bool is_spot = light.type == "spot";
       if (!is_spot && light.type != "point") {
-        warn(fmt::format("light '{}' is of type '{}', which is not known, and is left out", name, light.type));
+        warn(
+            fmt::format("light '{}' is of type '{}', which is not known, and is left out", name, light.type));
         return;
       }
       if (is_spot) warn(fmt::format("spot '{}' is a disk without the edges of its cone", name));
@@ -153,8 +168,8 @@ class Importer {
       // A sphere's direction is where its maps look: at the scene.
       const dvec3 to_middle = middle() - center;
       const dvec3 direction = is_spot || glm::length(to_middle) == 0.0 ? forward : glm::normalize(to_middle);
-      text += fmt::format("type = \"{}\"\ncenter = {}\ndirection = {}\nradius = {}\n", is_spot ? "disk" : "sphere",
-                          list(center), list(direction), radius);
+      text += fmt::format("type = \"{}\"\ncenter = {}\ndirection = {}\nradius = {}\n",
+                          is_spot ? "disk" : "sphere", list(center), list(direction), radius);
     }
     imported_.toml += text;
   }
@@ -172,7 +187,8 @@ class Importer {
     }
     if (!light_names_.empty()) return;
     warn("it has no light (KHR_lights_punctual); a sun stands high");
-    imported_.toml += fmt::format("\n[[light]]\ntype = \"sun\"\ndirection = [-0.4, -1, -0.3]\nangular_diameter_deg = {}\n", kSun_deg);
+    imported_.toml += fmt::format(
+        "\n[[light]]\ntype = \"sun\"\ndirection = [-0.4, -1, -0.3]\nangular_diameter_deg = {}\n", kSun_deg);
   }
 
   GltfFile file_;

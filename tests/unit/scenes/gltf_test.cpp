@@ -24,7 +24,8 @@ using Json = nlohmann::json;
 
 // 2 x 2 texels; alpha 255, 0 above 128, 127.
 const std::string kPicture =
-    "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAIAAAACCAYAAABytg0kAAAAEUlEQVR42mP4DwEMINAAxPUAZK8H+efZcbkAAAAASUVOR"
+    "data:image/"
+    "png;base64,iVBORw0KGgoAAAANSUhEUgAAAAIAAAACCAYAAABytg0kAAAAEUlEQVR42mP4DwEMINAAxPUAZK8H+efZcbkAAAAASUVOR"
     "K5CYII=";
 
 /// A square in the xy plane from 0 to 1, facing +z: positions, texture points and indices in one buffer.
@@ -116,7 +117,8 @@ TEST_F(Gltf, NodesStandInTheirParents) {
     {"matrix": [-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 3, 0, 1], "mesh": 0}])");
   const MeshData mesh = load(square);
   ASSERT_EQ(mesh.positions.size(), 8u);
-  EXPECT_NEAR(glm::distance(mesh.positions[1], glm::dvec3(10, 0, -2)), 0.0, 1e-12) << "a quarter turn about y";
+  EXPECT_NEAR(glm::distance(mesh.positions[1], glm::dvec3(10, 0, -2)), 0.0, 1e-12)
+      << "a quarter turn about y";
   EXPECT_EQ(mesh.positions[5], glm::dvec3(8, 6, 0)) << "mirrored, then scaled";
   EXPECT_EQ(mesh.triangles[2], glm::uvec3(4, 6, 5)) << "so that it still faces +z";
 }
@@ -142,24 +144,28 @@ TEST_F(Gltf, MasksAreHolesByTheirOwnCutoff) {
   ASSERT_EQ(mesh.masks.size(), 1u);
   EXPECT_THAT(mesh.masks[0].bits, ElementsAre(0b0101u));
   ASSERT_EQ(mesh.cutouts.size(), 2u);
-  EXPECT_EQ(mesh.cutouts[0].uv, (std::array{glm::vec2(0, 0), glm::vec2(1, 0), glm::vec2(1, 1)})) << "v upwards";
+  EXPECT_EQ(mesh.cutouts[0].uv, (std::array{glm::vec2(0, 0), glm::vec2(1, 0), glm::vec2(1, 1)}))
+      << "v upwards";
   EXPECT_EQ(mesh.parts[0].name, "leaf");
   EXPECT_THAT(warnings_, IsEmpty());
   square.json["materials"][0]["alphaCutoff"] = 0.51;
   EXPECT_THAT(load(square).masks[0].bits, ElementsAre(0b0100u));
   square.json["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"] = {1, 1, 1, 0.1};
   EXPECT_THAT(load(square).masks[0].bits, ElementsAre(0u));
-  square.json["materials"][0] = Json::parse(R"({"name": "glass", "alphaMode": "BLEND", "pbrMetallicRoughness": {
+  square.json["materials"][0] =
+      Json::parse(R"({"name": "glass", "alphaMode": "BLEND", "pbrMetallicRoughness": {
       "baseColorFactor": [1, 1, 1, 0.2]}})");
   EXPECT_EQ(load(square).cutouts.size(), 2u);
-  EXPECT_THAT(warnings_, ElementsAre(HasSubstr("material 'glass' blends: it is solid from an alpha of 0.5 on")));
+  EXPECT_THAT(warnings_,
+              ElementsAre(HasSubstr("material 'glass' blends: it is solid from an alpha of 0.5 on")));
   square.json["materials"][0]["alphaMode"] = "OPAQUE";
   EXPECT_TRUE(load(square).cutouts.empty());
 }
 
 TEST_F(Gltf, CamerasAndLightsWithTheirSizes) {
   Square square;
-  square.json["cameras"] = Json::parse(R"([{"type": "perspective", "perspective": {"yfov": 0.5, "znear": 0.1}}])");
+  square.json["cameras"] =
+      Json::parse(R"([{"type": "perspective", "perspective": {"yfov": 0.5, "znear": 0.1}}])");
   square.json["extensions"] = Json::parse(R"({"KHR_lights_punctual": {"lights": [
     {"type": "point", "name": "bulb"}, {"type": "directional"}, {"type": "spot", "spot": {}}]}})");
   square.json["nodes"] = Json::parse(R"([
@@ -171,9 +177,9 @@ TEST_F(Gltf, CamerasAndLightsWithTheirSizes) {
     {"name": "panel", "translation": [0, 3, 0], "extras": {"size": [2, 1]}, "extensions": {"KHR_lights_punctual": {"light": 2}}},
     {"name": "door", "camera": 0}])");
   const ImportedScene imported = import(square);
-  EXPECT_THAT(imported.warnings,
-              testing::UnorderedElementsAre("x.glb: it has 2 cameras; the scene is seen from that of node 'eye'",
-                                            "x.glb: light 'sky' has no angular diameter in degrees; 0.53 is taken"));
+  EXPECT_THAT(imported.warnings, testing::UnorderedElementsAre(
+                                     "x.glb: it has 2 cameras; the scene is seen from that of node 'eye'",
+                                     "x.glb: light 'sky' has no angular diameter in degrees; 0.53 is taken"));
   const Scene scene = load_scene(folder_.path() / "x.glb", {});
   EXPECT_EQ(scene.triangles.size(), 2u);
   EXPECT_EQ(scene.warnings.size(), 2u);
@@ -215,7 +221,8 @@ TEST_F(Gltf, BadFilesAreSentences) {
   for (size_t length : {size_t{20}, size_t{200}, glb.size() - 1})
     EXPECT_EQ(after_folder(message_of([&] { open(glb.substr(0, length)); })),
               fmt::format("x.glb: the file is cut off: it has {} of {} bytes", length, glb.size()));
-  EXPECT_THAT(message_of([&] { open("{\"asset\": {", "x.gltf"); }), HasSubstr("x.gltf: not a readable glTF file: "));
+  EXPECT_THAT(message_of([&] { open("{\"asset\": {", "x.gltf"); }),
+              HasSubstr("x.gltf: not a readable glTF file: "));
   Square square;
   square.json["buffers"][0]["uri"] = "gone.bin";
   EXPECT_THAT(message_of([&] { open(square.json.dump(), "x.gltf"); }), HasSubstr("gone.bin"));
@@ -232,7 +239,8 @@ TEST_F(Gltf, ContentsThatDoNotHoldTogetherAreSentences) {
   EXPECT_EQ(error_of(square), "x.glb: the transform of node 1 is not finite");
   square = {};
   square.json["accessors"][2]["count"] = 1000000000;
-  EXPECT_EQ(error_of(square), "x.glb: accessor 2 (indices) wants 1000000000 elements, more than its buffer holds");
+  EXPECT_EQ(error_of(square),
+            "x.glb: accessor 2 (indices) wants 1000000000 elements, more than its buffer holds");
   square = {};
   square.json["bufferViews"][0]["byteOffset"] = 4000000000u;
   EXPECT_THAT(error_of(square), HasSubstr("x.glb: "));
@@ -244,7 +252,8 @@ TEST_F(Gltf, ContentsThatDoNotHoldTogetherAreSentences) {
   EXPECT_EQ(error_of(square), "x.glb: node 'root' names mesh 7, but there are 1");
   square = {};
   square.json["extensionsRequired"] = {"KHR_draco_mesh_compression"};
-  EXPECT_THAT(error_of(square), HasSubstr("requires extension 'KHR_draco_mesh_compression', which is not read"));
+  EXPECT_THAT(error_of(square),
+              HasSubstr("requires extension 'KHR_draco_mesh_compression', which is not read"));
   square = {};
   square.json["meshes"][0]["primitives"][0]["attributes"].erase("POSITION");
   EXPECT_EQ(error_of(square), "x.glb: a primitive of node 'root' has no positions");
