@@ -2,6 +2,7 @@
 #include "cli/bench_text.h"
 #include "cli/console.h"
 #include "cli/duration.h"
+#include "cli/light_option.h"
 #include "cli/progress_bar.h"
 #include "cli/staging.h"
 #include "cli/study_runs.h"
@@ -181,6 +182,7 @@ void add_bench(CLI::App& app, CommandLine& line) {
                          "claims; with --out keeps truths there and reuses them");
   verb->fallthrough();
   verb->add_option("study", options->studies, "study files (docs/studies.md)")->required();
+  add_light_option(*verb, line.global);
   verb->add_option("--csv", options->csv, "also write one line a scene and run to this file");
   verb->add_option("--truth", options->truth_csv,
                    "also measure time against error of the truth, one line a scene and setting to this file");

@@ -54,6 +54,7 @@ TruthOracle exact_oracle() {
   return [](const Scene& scene, std::span<const ReceiverPoint> points) -> std::optional<std::vector<double>> {
     const Light& light = scene.light();
     if (light.type != LightType::rect || scene.triangles.size() > kMostTriangles) return std::nullopt;
+    if (!scene.cutouts.empty()) return std::nullopt;
     const PolygonLight polygon =
         rectangle_light(light.center_world, light.tangent_world, light.bitangent_world, light.direction_world,
                         light.size_world);

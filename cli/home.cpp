@@ -4,8 +4,10 @@
 #include "cli/preset_file.h"
 #include "core/error.h"
 #include "realtime/realtime.h"
+#include "scenes/choose_light.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cstdlib>
 
@@ -82,7 +84,7 @@ SceneSearch scene_search(const GlobalOptions& options, const Home& home) {
     fail_input(fmt::format("the assets folder '{}' is not there", options.assets), {},
                "--assets or UMBRAMETER_ASSETS names the folder with the models");
   }
-  return {options.assets, home.library};
+  return {options.assets, home.library, options.light};
 }
 
 std::string scene_name(const std::filesystem::path& file, const SceneSearch& search) {
@@ -92,9 +94,22 @@ std::string scene_name(const std::filesystem::path& file, const SceneSearch& sea
   return name.replace_extension().generic_string();
 }
 
-SceneJob load_scene_job(const std::string& name_or_path, const SceneSearch& search) {
+std::vector<SceneJob> load_scene_jobs(const std::string& name_or_path, const SceneSearch& search) {
   const std::filesystem::path file = resolve_scene(name_or_path, search);
-  return {scene_name(file, search), load_scene(file, search)};
+  const Scene scene = load_scene(file, search);
+  std::vector<SceneJob> jobs;
+  for (const size_t light : choose_lights(scene.lights, search.light))
+    jobs.push_back({lit_name(scene_name(file, search), scene.lights, light), lit_by(scene, light)});
+  return jobs;
+}
+
+SceneJob load_scene_job(const std::string& name_or_path, const SceneSearch& search) {
+  std::vector<SceneJob> jobs = load_scene_jobs(name_or_path, search);
+  if (jobs.size() == 1) return std::move(jobs.front());
+  std::vector<std::string> names;
+  for (const SceneJob& job : jobs) names.push_back(job.scene.light().name);
+  fail_input(fmt::format("scene '{}' has {} lights: {}", name_or_path, jobs.size(), fmt::join(names, ", ")),
+             {}, "choose one with --light");
 }
 
 TechniqueRun choose_technique(const std::string& text, const std::vector<std::string>& assignments,

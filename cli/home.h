@@ -31,7 +31,11 @@ SceneSearch scene_search(const GlobalOptions& options, const Home& home);
 /// The library name, or the stem, of a scene file.
 std::string scene_name(const std::filesystem::path& file, const SceneSearch& search);
 
-/// A scene of the library by name, or a scene file, under its scene_name().
+/// A scene of the library by name, or a scene file, once for each of its lights or for `search.light` alone: under its
+/// scene_name(), or "scene/light" when the file has several. Error{input} for a light that is not there.
+std::vector<SceneJob> load_scene_jobs(const std::string& name_or_path, const SceneSearch& search);
+
+/// The same where one light is wanted: Error{input} when the scene has several and none is chosen.
 SceneJob load_scene_job(const std::string& name_or_path, const SceneSearch& search);
 
 /// "ID[:name=value,...]" (ID may be a folder) plus further "name=value" texts. `preset=NAME` chooses a

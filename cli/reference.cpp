@@ -3,6 +3,7 @@
 #include "cli/console.h"
 #include "cli/exact_check.h"
 #include "cli/home.h"
+#include "cli/light_option.h"
 #include "cli/progress_bar.h"
 #include "cli/quality.h"
 #include "cli/reference_renderer.h"
@@ -48,6 +49,7 @@ int render_reference(const ReferenceOptions& options, const GlobalOptions& globa
   const Quality quality = choose_quality(options.quality);
   const SceneSearch search = scene_search(global, find_home());
   const SceneJob job = load_scene_job(options.scene, search);
+  if (options.exact_check > 0) require_exact(job.scene);
   const StagedFile file(global.out.empty() ? "reference.exr" : global.out, ".exr");
   for (const std::string& warning : job.scene.warnings) print_warning(warning);
   const auto renderer = open_reference_renderer(global, quality.picture, !options.no_skip);
@@ -96,6 +98,7 @@ void add_reference(CLI::App& app, CommandLine& line) {
       app.add_subcommand("reference", "render the truth of a scene to --out (default reference.exr)");
   verb->fallthrough();
   verb->add_option("scene", options->scene, "library name or scene file")->required();
+  add_one_light_option(*verb, line.global);
   add_quality_options(*verb, options->quality);
   verb->add_flag("--no-skip", options->no_skip, "shoot rays even where the answer is proven; same picture");
   verb->add_option(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/console.h"
 #include "cli/home.h"
+#include "cli/light_option.h"
 #include "cli/progress_bar.h"
 #include "cli/quality.h"
 #include "cli/staging.h"
@@ -94,6 +95,7 @@ void add_render(CLI::App& app, CommandLine& line) {
   verb->add_option("--preset", options->preset, "a preset of the technique, or a file that 'tune' wrote");
   verb->add_flag("--no-skip", options->no_skip,
                  "draw triangles that cannot reach the light's map, too; same picture");
+  add_one_light_option(*verb, line.global);
   add_quality_options(*verb, options->quality);
   verb->callback(
       [options, &line] { line.verb = [options, &line] { return render(*options, line.global); }; });

@@ -3,8 +3,12 @@
 
 #include "cli/console.h"
 #include "cli/home.h"
+#include "cli/light_option.h"
 #include "cli/quality.h"
 #include "cli/scene_export.h"
+#include "cli/scene_import.h"
+#include "cli/scene_show.h"
+#include "scenes/check_scene.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -33,25 +37,40 @@ int list(const GlobalOptions& global) {
   return kExitFine;
 }
 
+/// "disk light 'lamp'" or "2 lights: disk 'lamp', sun 'sun'".
+std::string describe(const std::vector<Light>& lights) {
+  if (lights.size() == 1)
+    return fmt::format("{} light '{}'", to_text(lights.front().type), lights.front().name);
+  std::string text;
+  for (const Light& light : lights)
+    text += fmt::format("{}{} '{}'", text.empty() ? "" : ", ", to_text(light.type), light.name);
+  return fmt::format("{} lights: {}", lights.size(), text);
+}
+
 int check(const std::vector<std::string>& names, const GlobalOptions& global) {
   const SceneSearch search = scene_search(global, find_home());
   Json scenes = Json::array();
   std::string text;
   for (const std::string& name : names) {
-    const SceneJob job = load_scene_job(name, search);
-    const Scene& scene = job.scene;
+    const std::filesystem::path file = resolve_scene(name, search);
+    const Scene scene = load_scene(file, search);
+    const std::string own_name = scene_name(file, search);
     const glm::dvec3 size_world = scene.bounds_world.max - scene.bounds_world.min;
-    text += fmt::format("{}: fine; {} triangles, {:.4g} x {:.4g} x {:.4g}, {} light '{}', hash {}\n",
-                        job.name, scene.triangles.size(), size_world.x, size_world.y, size_world.z,
-                        to_text(scene.light().type), scene.light().name, scene.hash);
-    for (const std::string& warning : scene.warnings)
-      text += fmt::format("{}: warning: {}\n", job.name, warning);
-    scenes.push_back({{"name", job.name},
+    text += fmt::format("{}: fine; {} triangles, {:.4g} x {:.4g} x {:.4g}, {}, hash {}\n", own_name,
+                        scene.triangles.size(), size_world.x, size_world.y, size_world.z,
+                        describe(scene.lights), scene.hash);
+    std::vector<std::string> warnings = scene.warnings;
+    for (std::string& found : check_scene(scene)) warnings.push_back(std::move(found));
+    for (const std::string& warning : warnings) text += fmt::format("{}: warning: {}\n", own_name, warning);
+    Json lights = Json::array();
+    for (const Light& light : scene.lights)
+      lights.push_back({{"name", light.name}, {"type", to_text(light.type)}});
+    scenes.push_back({{"name", own_name},
                       {"title", scene.title},
                       {"hash", scene.hash},
                       {"triangles", scene.triangles.size()},
-                      {"light", {{"name", scene.light().name}, {"type", to_text(scene.light().type)}}},
-                      {"warnings", scene.warnings}});
+                      {"lights", lights},
+                      {"warnings", warnings}});
   }
   if (global.json) {
     print_json({{"scenes", scenes}});
@@ -59,6 +78,14 @@ int check(const std::vector<std::string>& names, const GlobalOptions& global) {
     print_answer(text);
   }
   return kExitFine;
+}
+
+std::vector<SceneJob> load_all(const std::vector<std::string>& names, const SceneSearch& search) {
+  std::vector<SceneJob> jobs;
+  for (const std::string& name : names) {
+    for (SceneJob& job : load_scene_jobs(name, search)) jobs.push_back(std::move(job));
+  }
+  return jobs;
 }
 
 /// What `validate` with the same options would render, and what it would leave out.
@@ -69,8 +96,7 @@ int plan(const std::vector<std::string>& names, const QualityOptions& options, c
   const std::vector<TechniqueRun> techniques = all_techniques(home);
   Json scenes = Json::array();
   std::string text;
-  for (const std::string& name : names) {
-    const SceneJob job = load_scene_job(name, search);
+  for (const SceneJob& job : load_all(names, search)) {
     const int64_t pixels = int64_t{quality.picture.width_px} * quality.picture.height_px;
     const int64_t most_shadow_rays = pixels * quality.picture.samples_per_pixel;
     Json runs = Json::array();
@@ -122,15 +148,30 @@ void add_scene(CLI::App& app, CommandLine& line) {
       verb->add_subcommand("plan", "what validate would render, and what it would skip and why");
   plan_verb->fallthrough();
   plan_verb->add_option("scene", *names, "library names or scene files")->required();
+  add_light_option(*plan_verb, line.global);
   add_quality_options(*plan_verb, *quality);
   plan_verb->callback([names, quality, &line] {
     line.verb = [names, quality, &line] { return plan(*names, *quality, line.global); };
   });
   auto scene = std::make_shared<std::string>();
+  CLI::App* import_verb =
+      verb->add_subcommand("import", "a scene file to --out (default scene.toml) that refers to a glTF file");
+  import_verb->fallthrough();
+  import_verb->add_option("file", *scene, ".gltf or .glb")->required();
+  import_verb->callback(
+      [scene, &line] { line.verb = [scene, &line] { return import_scene(*scene, line.global); }; });
+  CLI::App* show_verb =
+      verb->add_subcommand("show", "a lit picture with shadows of a scene to --out (default scene.png)");
+  show_verb->fallthrough();
+  show_verb->add_option("scene", *scene, "library name or scene file")->required();
+  add_light_option(*show_verb, line.global);
+  show_verb->callback(
+      [scene, &line] { line.verb = [scene, &line] { return show_scene(*scene, line.global); }; });
   CLI::App* export_verb = verb->add_subcommand(
       "export", "mesh, camera and light for another engine, into --out (docs/your-engine.md)");
   export_verb->fallthrough();
   export_verb->add_option("scene", *scene, "library name or scene file")->required();
+  add_one_light_option(*export_verb, line.global);
   add_quality_options(*export_verb, *quality);
   export_verb->callback([scene, quality, &line] {
     line.verb = [scene, quality, &line] { return export_scene(*scene, *quality, line.global); };

@@ -105,6 +105,9 @@ int export_scene(const std::string& name, const QualityOptions& size, const Glob
   if (global.out.empty()) fail_input("there is no place to export to", {}, "give --out FOLDER");
   const Quality quality = choose_quality(size);
   const SceneJob job = load_scene_job(name, scene_search(global, find_home()));
+  if (const size_t holes = job.scene.cutouts.size(); holes > 0)
+    print_warning(fmt::format("{} of {} triangles have holes, which scene.obj does not", holes,
+                              job.scene.triangles.size()));
   const std::filesystem::path folder = global.out;
   create_folder(folder);
   write_file_atomically(folder / "scene.obj", obj_text(job.scene));

@@ -5,16 +5,19 @@
 #include "cli/home.h"
 #include "study/store/late_store.h"
 
+#include <span>
 #include <string>
 #include <vector>
 
 namespace umbrameter {
 
-/// The scene's description from the store, or from loading it. What is loaded is kept until it has been used.
-SceneSource open_scene(LateStore& store, const std::string& name_or_path, const SceneSearch& search);
+/// Descriptions of the scene's views, one a light, from the store or from loading it. What is loaded is kept until it has
+/// been used.
+std::vector<SceneSource> open_scene(LateStore& store, const std::string& name_or_path,
+                                    const SceneSearch& search);
 
-/// Keeps the description of a loaded scene under the text of its file and the sizes and times of its meshes.
+/// Keeps the descriptions of a loaded scene's views under the text of its file and the sizes and times of its meshes.
 void remember_scene(LateStore& store, const std::string& name_or_path, const SceneSearch& search,
-                    const SceneSource& source);
+                    std::span<const SceneSource> sources);
 
 }  // namespace umbrameter

@@ -2,6 +2,7 @@
 #include "study/score.h"
 
 #include "cli/console.h"
+#include "cli/light_option.h"
 #include "cli/score_inputs.h"
 #include "cli/score_results.h"
 #include "cli/verbs.h"
@@ -117,6 +118,7 @@ void add_score(CLI::App& app, CommandLine& line) {
   add_score_input_options(*verb, options->inputs);
   verb->add_option("--report", options->report, "also write the page of 'report' to this file (.html)");
   verb->add_option("--baseline", options->baseline, "another image to compare with, pixel by pixel");
+  add_one_light_option(*verb, line.global);
   verb->add_option("--limit", options->limit_rmse, "RMSE to keep; exit code 1 when it is above for certain")
       ->check(CLI::PositiveNumber);
   verb->add_option("--metrics", options->metrics, kMetricsHelp);

@@ -121,6 +121,8 @@ void add_score_input_options(CLI::App& verb, ScoreInputOptions& options) {
 
 ScoreInputs load_score_inputs(const ScoreInputOptions& options, const GlobalOptions& global) {
   check_options(options);
+  if (!global.light.empty() && options.scene.empty())
+    fail_input("--light goes with --scene: a reference image is of one light already");
   ScoreInputs inputs;
   inputs.test_name = options.test.empty() ? options.shadowed : options.test;
   inputs.reference_name = options.reference.empty() ? options.scene : options.reference;

@@ -49,7 +49,7 @@ int selftest(const SelftestOptions& options, const GlobalOptions& global) {
   std::vector<SceneJob> jobs;
   for (const std::string& name :
        options.scenes.empty() ? library_scenes(search, options.with_assets) : options.scenes) {
-    jobs.push_back(load_scene_job(name, search));
+    for (SceneJob& job : load_scene_jobs(name, search)) jobs.push_back(std::move(job));
   }
   const Staging staging(std::filesystem::temp_directory_path());
   const auto realtime = open_realtime_renderer(global, home);

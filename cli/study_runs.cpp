@@ -3,6 +3,7 @@
 
 #include "core/error.h"
 #include "core/names.h"
+#include "scenes/choose_light.h"
 #include "scenes/seen_from.h"
 
 #include <fmt/format.h>
@@ -33,6 +34,14 @@ ParameterValue read_value(const Technique& technique, const std::string& name, c
              suggest_name(name, known));
 }
 
+/// What the command line chooses, else the study, else every light.
+std::vector<size_t> chosen_lights(const StudyFile& study, const Scene& scene, const std::string& given) {
+  if (!given.empty() || study.lights.empty()) return choose_lights(scene.lights, given);
+  std::vector<size_t> chosen;
+  for (const std::string& name : study.lights) chosen.push_back(find_light(scene.lights, name));
+  return chosen;
+}
+
 StudyScene seen_by(const StudyCamera& camera, const StudyScene& own) {
   return {own.name, seen_from(own.scene, camera_in(camera, own.scene.camera)), camera.name};
 }
@@ -59,9 +68,12 @@ std::vector<StudyScene> load_study_scenes(const StudyFile& study, const std::fil
   std::vector<StudyScene> scenes;
   progress.begin("loading scenes", study.scenes.size());
   for (const std::string& name : study.scenes) {
-    StudyScene scene{name, load_scene_job(beside(file, name), search).scene};
-    for (const StudyCamera& camera : study.cameras) scenes.push_back(seen_by(camera, scene));
-    if (study.cameras.empty()) scenes.push_back(std::move(scene));
+    const Scene all_lit = load_scene(resolve_scene(beside(file, name), search), search);
+    for (const size_t light : chosen_lights(study, all_lit, search.light)) {
+      StudyScene scene{lit_name(name, all_lit.lights, light), lit_by(all_lit, light)};
+      for (const StudyCamera& camera : study.cameras) scenes.push_back(seen_by(camera, scene));
+      if (study.cameras.empty()) scenes.push_back(std::move(scene));
+    }
     progress.advance(1);
   }
   progress.end();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/console.h"
+#include "cli/light_option.h"
 #include "cli/progress_bar.h"
 #include "cli/reference_renderer.h"
 #include "cli/staging.h"
@@ -120,10 +121,12 @@ int sweep(const SweepOptions& options, const GlobalOptions& global) {
   return code;
 }
 
-CLI::App* add_study_verb(CLI::App& app, const char* name, const char* what, SweepOptions& options) {
+CLI::App* add_study_verb(CLI::App& app, const char* name, const char* what, SweepOptions& options,
+                         GlobalOptions& global) {
   CLI::App* verb = app.add_subcommand(name, what);
   verb->fallthrough();
   verb->add_option("study", options.study, "study file (docs/studies.md)")->required();
+  add_light_option(*verb, global);
   verb->add_option("--shard", options.shard, "i/n: the i-th of n parts, to be merged afterwards");
   verb->add_option("--metrics", options.metrics, kMetricsHelp);
   verb->add_flag("--no-reuse", options.no_reuse, "render again what is stored");
@@ -141,7 +144,7 @@ void add_plan(CLI::App& app, CommandLine& line) {
   auto options = std::make_shared<SweepOptions>();
   CLI::App* verb = add_study_verb(
       app, "plan", "say what a sweep into --out would render, reuse and skip, why, and how long it takes",
-      *options);
+      *options, line.global);
   verb->add_flag("--screen", options->screen, "also name parameters that change no pixel of small pictures");
   verb->callback([options, &line] { line.verb = [options, &line] { return plan(*options, line.global); }; });
 }
@@ -150,7 +153,7 @@ void add_sweep(CLI::App& app, CommandLine& line) {
   auto options = std::make_shared<SweepOptions>();
   CLI::App* verb = add_study_verb(
       app, "sweep", "render and score a study's runs into the store --out; goes on where it was stopped",
-      *options);
+      *options, line.global);
   verb->callback([options, &line] { line.verb = [options, &line] { return sweep(*options, line.global); }; });
 }
 

@@ -2,6 +2,7 @@
 #include "cli/console.h"
 #include "cli/duration.h"
 #include "cli/home.h"
+#include "cli/light_option.h"
 #include "cli/progress_bar.h"
 #include "cli/quality.h"
 #include "cli/truth_memory.h"
@@ -78,9 +79,11 @@ std::vector<SceneJob> load_scenes(const TuneOptions& options, const TunePlan& pl
                                   const SceneSearch& search) {
   std::vector<SceneJob> jobs;
   for (const std::string& name : options.scenes) {
-    jobs.push_back(load_scene_job(name, search));
-    if (const auto reason = skip_reason(plan.technique, jobs.back().scene))
-      fail_input(fmt::format("technique '{}' {}: scene '{}'", plan.technique.id, *reason, name));
+    for (SceneJob& job : load_scene_jobs(name, search)) {
+      if (const auto reason = skip_reason(plan.technique, job.scene))
+        fail_input(fmt::format("technique '{}' {}: scene '{}'", plan.technique.id, *reason, job.name));
+      jobs.push_back(std::move(job));
+    }
   }
   return jobs;
 }
@@ -165,6 +168,7 @@ void add_tune(CLI::App& app, CommandLine& line) {
       ->check(CLI::Range(2, 100));
   verb->add_flag("--no-coarse", options->no_coarse, "never begin with smaller pictures");
   verb->add_flag("--no-reuse", options->no_reuse, "render truths again that the store in --out knows");
+  add_light_option(*verb, line.global);
   add_quality_options(*verb, options->quality);
   verb->callback([options, &line] { line.verb = [options, &line] { return tune(*options, line.global); }; });
 }

@@ -3,6 +3,7 @@
 #include "cli/home.h"
 #include "cli/interruption.h"
 #include "cli/late_realtime.h"
+#include "cli/light_option.h"
 #include "cli/page_memory.h"
 #include "cli/preset_file.h"
 #include "cli/progress_bar.h"
@@ -47,8 +48,9 @@ struct ValidateOptions {
 constexpr int kTemporalFrames = 4;  // of each sequence: three steps show a change, and cost three references
 
 struct Workload {
-  std::vector<std::string> names;  // as given
-  std::vector<SceneSource> scenes;
+  std::vector<std::string> names;               // as given
+  std::vector<std::vector<SceneSource>> known;  // the views of each name, without what loads them
+  std::vector<SceneSource> scenes;              // all the views, each under a name of its own
   std::vector<Skip> skipped;
 };
 
@@ -92,9 +94,13 @@ Workload open_scenes(const std::vector<std::string>& given, const SceneSearch& s
   work.names = given.empty() ? library_scenes(search, work.skipped) : given;
   progress.begin("loading scenes", work.names.size());
   for (const std::string& name : work.names) {
-    SceneSource source = open_scene(store, name, search);
-    make_unique(source.description.name, work.scenes);
-    work.scenes.push_back(std::move(source));
+    work.known.emplace_back();
+    for (SceneSource& source : open_scene(store, name, search)) {
+      work.known.back().push_back(source);
+      work.known.back().back().load = {};
+      make_unique(source.description.name, work.scenes);
+      work.scenes.push_back(std::move(source));
+    }
     progress.advance(1);
   }
   progress.end();
@@ -228,7 +234,7 @@ int validate(const ValidateOptions& options, const GlobalOptions& global) {
   if (!has_any_result(results)) return code;  // nothing worth replacing an earlier result with
   if (store.exists()) realtime.remember();
   for (size_t i = 0; store.exists() && i < work.names.size(); ++i)
-    remember_scene(store, work.names[i], search, work.scenes[i]);
+    remember_scene(store, work.names[i], search, work.known[i]);
   const bool is_new = publish_results(staging.folder(), out, to_json_text(results), store);
   print_answer(global.json ? to_json_text_with_work(results) : validation_text(results, options.details));
   print_note(work_line(results.work));
@@ -259,6 +265,7 @@ void add_validate(CLI::App& app, CommandLine& line) {
       ->check(CLI::PositiveNumber);
   verb->add_option("--metrics", options->metrics, kMetricsHelp);
   verb->add_flag("--maps", options->maps, kMapsHelp);
+  add_light_option(*verb, line.global);
   add_quality_options(*verb, options->quality);
   verb->add_option("--frames", options->frames,
                    "timed frames a technique, instead of the quality's; 0 times nothing")

@@ -14,6 +14,7 @@ struct GlobalOptions {
   std::string assets;  // --assets or UMBRAMETER_ASSETS; empty = none
   std::string device;
   std::string out;
+  std::string light;  // of verbs that have add_light_option(): name or number; empty = none is chosen
   int threads = 0;
   bool json = false;
 };

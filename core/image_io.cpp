@@ -57,12 +57,7 @@ std::string write_pixels(OIIO::ImageOutput& output, const std::string& file, con
   return problem.empty() ? "unknown error" : problem;
 }
 
-}  // namespace
-
-Image read_image(const std::filesystem::path& path) {
-  const std::string file = path.string();
-  if (!std::filesystem::exists(path)) fail_input("the file does not exist", {file});
-  const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(file);
+Image read_opened(const std::unique_ptr<OIIO::ImageInput>& input, const std::string& file) {
   if (!input) fail_input(fmt::format("not a readable image: {}", OIIO::geterror()), {file});
   const OIIO::ImageSpec spec = input->spec();
   require_usable(spec, file);
@@ -78,6 +73,19 @@ Image read_image(const std::filesystem::path& path) {
   }
   read_metadata(spec, image);
   return image;
+}
+
+}  // namespace
+
+Image read_image(const std::filesystem::path& path) {
+  const std::string file = path.string();
+  if (!std::filesystem::exists(path)) fail_input("the file does not exist", {file});
+  return read_opened(OIIO::ImageInput::open(file), file);
+}
+
+Image read_image(std::span<const uint8_t> bytes, const std::string& name) {
+  OIIO::Filesystem::IOMemReader reader(const_cast<uint8_t*>(bytes.data()), bytes.size());
+  return read_opened(OIIO::ImageInput::open(name, nullptr, &reader), name);
 }
 
 void write_exr(const std::filesystem::path& path, const Image& image) {

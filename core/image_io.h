@@ -15,6 +15,8 @@ namespace umbrameter {
 /// start with "umbrameter:" come back as metadata without that prefix. Error{input} for missing, truncated,
 /// empty or larger than 16384 x 16384 images.
 Image read_image(const std::filesystem::path& path);
+/// The same of a file's bytes; `name` ends like the file would (".png") and stands in messages.
+Image read_image(std::span<const uint8_t> bytes, const std::string& name);
 
 /// Writes one EXR, 32-bit float, zip-compressed, channels by name, metadata as "umbrameter:<key>" strings.
 /// Error{input} when the place cannot be written.

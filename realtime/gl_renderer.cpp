@@ -17,6 +17,7 @@
 #include "realtime/realtime.h"
 #include "realtime/recently_used.h"
 #include "scenes/local_scene.h"
+#include "scenes/scene_hash.h"
 
 #include <array>
 #include <optional>
@@ -40,6 +41,7 @@ std::string geometry_key(const Scene& scene) {
   hasher.values(std::span<const glm::vec3>(scene.positions_world));
   hasher.values(std::span<const glm::vec3>(scene.normals_world));
   hasher.values(std::span<const glm::uvec3>(scene.triangles));
+  hash_cutouts(hasher, scene);
   return hasher.hex();
 }
 
@@ -173,9 +175,9 @@ class GlRenderer final : public Renderer {
     const std::string key = geometry_key(scene);
     if (auto known = scenes_.find(key)) return known;
     scenes_.make_room(gpu_bytes(scene));
-    auto made = std::make_shared<const SceneOnGpu>(
-        SceneOnGpu{SceneBuffers(scene),
-                   settings_.cull_casters ? make_caster_clusters(scene) : std::vector<CasterCluster>{}});
+    auto made = std::make_shared<const SceneOnGpu>(SceneOnGpu{
+        SceneBuffers(scene), settings_.cull_casters && scene.cutouts.empty() ? make_caster_clusters(scene)
+                                                                             : std::vector<CasterCluster>{}});
     scenes_.keep(key, made, gpu_bytes(scene));
     return made;
   }

@@ -3,6 +3,7 @@
 
 #include "core/error.h"
 #include "core/hash.h"
+#include "scenes/scene_hash.h"
 
 #include <cstring>
 
@@ -11,11 +12,26 @@ namespace umbrameter {
 namespace {
 
 std::string hash_of_triangles(const Scene& scene) {
-  return Hasher()
-      .values(std::span(scene.positions_world))
+  Hasher hasher;
+  hasher.values(std::span(scene.positions_world))
       .values(std::span(scene.triangles))
-      .number(static_cast<double>(scene.positions_world.size()))
-      .hex();
+      .number(static_cast<double>(scene.positions_world.size()));
+  hash_cutouts(hasher, scene);
+  return hasher.hex();
+}
+
+/// Refuses hits in holes, of any kind of ray and packet.
+void refuse_holes(const RTCFilterFunctionNArguments* arguments) {
+  const auto& holes = *static_cast<const HoleGeometry*>(arguments->geometryUserPtr);
+  RTCHitN* hit = arguments->hit;
+  const uint32_t n = arguments->N;
+  for (uint32_t i = 0; i < n; ++i) {
+    const uint32_t primitive = RTCHitN_primID(hit, n, i);
+    if (arguments->valid[i] != -1 || primitive < holes.first_cutout) continue;
+    const Cutout& cutout = holes.cutouts[primitive - holes.first_cutout];
+    const glm::vec2 uv = uv_at(cutout, RTCHitN_u(hit, n, i), RTCHitN_v(hit, n, i));
+    if (is_hole(holes.masks[cutout.mask], uv)) arguments->valid[i] = 0;
+  }
 }
 
 bool count_memory(void* total, ssize_t bytes, bool) {
@@ -65,6 +81,12 @@ bool EmbreeScene::load(const Scene& scene) {
     RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
     copy_buffer(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, scene.positions_world);
     copy_buffer(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, scene.triangles);
+    if (!scene.cutouts.empty()) {
+      holes_ = {scene.first_cutout(), scene.cutouts, scene.masks};
+      rtcSetGeometryUserData(geometry, &holes_);
+      rtcSetGeometryIntersectFilterFunction(geometry, refuse_holes);
+      rtcSetGeometryOccludedFilterFunction(geometry, refuse_holes);
+    }
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(scene_.get(), geometry);
     rtcReleaseGeometry(geometry);

@@ -11,6 +11,7 @@
 #include <memory>
 #include <string>
 #include <type_traits>
+#include <vector>
 
 namespace umbrameter {
 
@@ -24,8 +25,15 @@ struct EmbreeRelease {
 using EmbreeDeviceHandle = std::unique_ptr<std::remove_pointer_t<RTCDevice>, EmbreeRelease<rtcReleaseDevice>>;
 using EmbreeSceneHandle = std::unique_ptr<std::remove_pointer_t<RTCScene>, EmbreeRelease<rtcReleaseScene>>;
 
+/// What Embree's filter needs to know of triangles with holes.
+struct HoleGeometry {
+  uint32_t first_cutout = 0;
+  std::vector<Cutout> cutouts;
+  std::vector<AlphaMask> masks;
+};
+
 /// One merged, robustly traversed triangle geometry; Embree's primID is the scene's triangle index.
-/// Owns copies of the vertices, so the Scene may go away.
+/// Rays pass through holes. Owns copies of what it needs, so the Scene may go away.
 class EmbreeScene {
  public:
   /// Error{environment} when Embree cannot start.
@@ -52,6 +60,7 @@ class EmbreeScene {
   EmbreeDeviceHandle device_;  // before scene_: released after it
   EmbreeSceneHandle scene_;
   std::string loaded_hash_;
+  HoleGeometry holes_;  // what the filter looks up
   int packet_width_ = 4;
   RTCIntersectContextFlags packet_flags_ = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
 };

@@ -67,6 +67,7 @@ bool add_shaft(LightShafts& shafts, uint32_t i, const ShaftPixel& pixel) {
 struct Walk {
   const Scene& scene;
   const LightShafts& shafts;
+  uint32_t first_cutout;
   LaneMask used{};     // lanes that hold a pixel
   LaneMask lit{};      // may still be lit
   LaneMask covered{};  // proven dark
@@ -80,9 +81,10 @@ UMBRAMETER_LANES void meet_leaf(Walk& walk, const OccluderLeaf& leaf) {
     const LaneTriangle triangle =
         see_triangle(walk.shafts, positions[index.x], positions[index.y], positions[index.z]);
     const TriangleVerdict verdict = judge(walk.shafts, triangle);
+    const int32_t is_solid = leaf.triangles[k] < walk.first_cutout ? -1 : 0;  // holes may let light through
     for (uint32_t i = 0; i < kShafts; ++i) {
       walk.lit[i] &= ~verdict.meets[i];
-      walk.covered[i] |= walk.used[i] & verdict.covers[i];
+      walk.covered[i] |= walk.used[i] & verdict.covers[i] & is_solid;
     }
   }
   walk.triangles += leaf.triangle_count;
@@ -154,7 +156,7 @@ std::array<LightProof, kShafts> prove_light(const OccluderTree& tree, const Scen
   std::array<LightProof, kShafts> proofs{};
   LightShafts shafts{};
   shafts.extent = static_cast<float>(scene_extent_world);
-  Walk walk{scene, shafts};
+  Walk walk{scene, shafts, scene.first_cutout()};
   bool any_shaft = false;
   for (uint32_t i = 0; i < pixels.size(); ++i) {
     if (is_below_horizon(pixels[i].patch)) {

@@ -15,7 +15,7 @@ namespace umbrameter {
 enum class LightProof : uint8_t {
   none,
   below_horizon,  // the receiver's own surface hides the light
-  covered,        // one triangle blocks every ray
+  covered,        // one triangle without holes blocks every ray
   lit,            // no triangle meets the shaft, the hull of the ray origin and the light
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scenes/light_enclosure.h"
 
+#include "scenes/light_body.h"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -38,22 +40,6 @@ bool crosses(const Corners& t, const dvec3& origin, const dvec3& direction) {
   return v >= 0.0 && u + v <= 1.0 && glm::dot(ac, q) > 0.0;
 }
 
-double segment_distance(const dvec3& p, const dvec3& a, const dvec3& b) {
-  const dvec3 ab = b - a;
-  const double along = std::clamp(glm::dot(p - a, ab) / glm::dot(ab, ab), 0.0, 1.0);
-  return glm::length(p - a - along * ab);
-}
-
-double triangle_distance(const dvec3& p, const Corners& t) {
-  const dvec3 n = glm::normalize(glm::cross(t.b - t.a, t.c - t.a));
-  const auto inside = [&](const dvec3& from, const dvec3& to) {
-    return glm::dot(n, glm::cross(to - from, p - from)) >= 0;
-  };
-  if (inside(t.a, t.b) && inside(t.b, t.c) && inside(t.c, t.a)) return std::abs(glm::dot(p - t.a, n));
-  return std::min(
-      {segment_distance(p, t.a, t.b), segment_distance(p, t.b, t.c), segment_distance(p, t.c, t.a)});
-}
-
 Bounds3 bounds_of(const Scene& scene, const MeshPart& part) {
   Bounds3 bounds;
   for (uint32_t t = part.first_triangle; t < part.first_triangle + part.triangle_count; ++t) {
@@ -86,7 +72,23 @@ bool is_inside(const Scene& scene, const MeshPart& part, const dvec3& p) {
 
 bool touches(const Scene& scene, const MeshPart& part, const dvec3& p, double distance) {
   for (uint32_t t = part.first_triangle; t < part.first_triangle + part.triangle_count; ++t) {
-    if (triangle_distance(p, corners_of(scene, t)) <= distance) return true;
+    const Corners corners = corners_of(scene, t);
+    if (triangle_distance(p, corners.a, corners.b, corners.c) <= distance) return true;
+  }
+  return false;
+}
+
+bool overlap(const Bounds3& a, const Bounds3& b) {
+  return glm::all(glm::lessThanEqual(a.min, b.max)) && glm::all(glm::lessThanEqual(b.min, a.max));
+}
+
+/// Whether the part reaches into the light's body.
+bool is_pierced(const Scene& scene, const MeshPart& part, const Light& light) {
+  const Bounds3 body = light_bounds(light);
+  for (uint32_t t = part.first_triangle; t < part.first_triangle + part.triangle_count; ++t) {
+    const auto [a, b, c] = corners_of(scene, t);
+    const Bounds3 bounds{glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))};
+    if (overlap(bounds, body) && pierces(light, a, b, c)) return true;
   }
   return false;
 }
@@ -100,10 +102,13 @@ std::vector<std::string> find_enclosed_lights(const Scene& scene) {
     const Bounds3 bounds = bounds_of(scene, part);
     for (const Light& light : scene.lights) {
       const dvec3& p = light.center_world;
-      if (light.type == LightType::sun || !contains(bounds, p, margin)) continue;
-      if (touches(scene, part, p, margin)) {
+      if (light.type == LightType::sun) continue;
+      const bool may_hold = contains(bounds, p, margin);
+      if (may_hold && touches(scene, part, p, margin)) {
         warnings.push_back(fmt::format("the centre of light '{}' lies on '{}'", light.name, part.name));
-      } else if (is_inside(scene, part, p) && !is_inside(scene, part, scene.camera.eye_world)) {
+      } else if (overlap(bounds, light_bounds(light)) && is_pierced(scene, part, light)) {
+        warnings.push_back(fmt::format("light '{}' is pierced by '{}'", light.name, part.name));
+      } else if (may_hold && is_inside(scene, part, p) && !is_inside(scene, part, scene.camera.eye_world)) {
         warnings.push_back(fmt::format("light '{}' seems to be inside '{}'", light.name, part.name));
       }
     }

@@ -2,6 +2,8 @@
 #include "scenes/load_scene.h"
 
 #include "core/files.h"
+#include "scenes/gltf/gltf_model.h"
+#include "scenes/gltf/import_gltf.h"
 #include "scenes/light_enclosure.h"
 #include "scenes/read_camera.h"
 #include "scenes/read_light.h"
@@ -29,15 +31,28 @@ double derived_near(const Scene& scene) {
   return std::min(kNearOfDiagonal * scene.bounds_world.diagonal(), kNearOfTarget * to_target);
 }
 
+/// Lights without a name are called by their type, the second of a type "disk-2".
+void name_lights(std::vector<Light>& lights, std::set<std::string> taken) {
+  for (Light& light : lights) {
+    if (!light.name.empty()) continue;
+    const std::string type(to_text(light.type));
+    light.name = type;
+    for (int number = 2; !taken.insert(light.name).second; ++number)
+      light.name = fmt::format("{}-{}", type, number);
+  }
+}
+
 std::vector<Light> read_lights(TomlReader& reader) {
   std::vector<Light> lights;
   std::set<std::string> names;
   for (const TomlNode* table : reader.tables("light")) {
     lights.push_back(read_light(*table));
-    if (names.insert(lights.back().name).second) continue;
-    fail_input(fmt::format("two lights are called '{}'", lights.back().name), table->where,
-               "give each a 'name'");
+    const std::string& name = lights.back().name;
+    if (name.empty() || names.insert(name).second) continue;
+    fail_input(fmt::format("two lights are called '{}'", name), table->where,
+               "give each a 'name' of its own");
   }
+  name_lights(lights, names);
   if (lights.empty()) reader.fail("light", "there is no light", "add a [[light]] table");
   return lights;
 }
@@ -83,7 +98,11 @@ Scene seen_from(Scene scene, const Camera& camera) {
 }
 
 Scene load_scene(const std::filesystem::path& file, const SceneSearch& search) {
-  return parse_scene(read_file(file), file, search);
+  if (!is_gltf(file.string())) return parse_scene(read_file(file), file, search);
+  const ImportedScene imported = import_gltf(file);
+  Scene scene = parse_scene(imported.toml, file, search);
+  scene.warnings.insert(scene.warnings.begin(), imported.warnings.begin(), imported.warnings.end());
+  return scene;
 }
 
 }  // namespace umbrameter

@@ -15,9 +15,10 @@ namespace umbrameter {
 struct SceneSearch {
   std::filesystem::path assets;   // --assets or UMBRAMETER_ASSETS; empty = none
   std::filesystem::path library;  // folder of the built-in scenes
+  std::string light = {};         // name or number of the one that verbs look at; empty = every light
 };
 
-/// Loads a scene file. Meshes named by file are looked for beside the scene file, then in `search.assets`.
+/// Loads a scene file, with all its lights; or a glTF file as scenes/gltf/import_gltf.h reads it. Meshes named by file are looked for beside the scene file, then in `search.assets`.
 /// Error{input} with file, line, column and hint for every kind of bad input.
 Scene load_scene(const std::filesystem::path& file, const SceneSearch& search);
 

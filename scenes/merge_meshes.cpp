@@ -51,6 +51,44 @@ void append_parts(const NamedMesh& mesh, uint32_t first_triangle, Scene& scene) 
   }
 }
 
+/// `cutout_of_triangle` of the whole scene stays empty as long as everything is solid.
+void append_cutouts(const MeshData& mesh, size_t first_triangle, std::vector<uint32_t>& cutout_of_triangle,
+                    Scene& scene) {
+  if (mesh.cutouts.empty() && cutout_of_triangle.empty()) return;
+  cutout_of_triangle.resize(first_triangle, kSolid);
+  const auto first_cutout = static_cast<uint32_t>(scene.cutouts.size());
+  const auto first_mask = static_cast<uint32_t>(scene.masks.size());
+  for (size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const uint32_t cutout = mesh.cutouts.empty() ? kSolid : mesh.cutout_of_triangle[t];
+    cutout_of_triangle.push_back(cutout == kSolid ? kSolid : first_cutout + cutout);
+  }
+  for (const Cutout& cutout : mesh.cutouts) scene.cutouts.push_back({cutout.uv, first_mask + cutout.mask});
+  scene.masks.insert(scene.masks.end(), mesh.masks.begin(), mesh.masks.end());
+}
+
+/// Solid triangles first, then those with holes in the order of scene.cutouts; a part that has both becomes two.
+void move_cutouts_last(Scene& scene, const std::vector<uint32_t>& cutout_of_triangle) {
+  if (cutout_of_triangle.empty()) return;
+  std::vector<glm::uvec3> triangles;
+  std::vector<Cutout> cutouts;
+  std::vector<MeshPart> parts;
+  for (const bool wants_holes : {false, true}) {
+    for (const MeshPart& part : scene.parts) {
+      const auto first = static_cast<uint32_t>(triangles.size());
+      for (uint32_t t = part.first_triangle; t < part.first_triangle + part.triangle_count; ++t) {
+        if ((cutout_of_triangle[t] != kSolid) != wants_holes) continue;
+        triangles.push_back(scene.triangles[t]);
+        if (wants_holes) cutouts.push_back(scene.cutouts[cutout_of_triangle[t]]);
+      }
+      const auto count = static_cast<uint32_t>(triangles.size()) - first;
+      if (count > 0) parts.push_back({part.name, first, count});
+    }
+  }
+  scene.triangles = std::move(triangles);
+  scene.cutouts = std::move(cutouts);
+  scene.parts = std::move(parts);
+}
+
 void append(const NamedMesh& mesh, Scene& scene) {
   const size_t total = scene.triangles.size() + mesh.mesh.triangles.size();
   if (total > kMaxTriangles) {
@@ -97,15 +135,24 @@ void merge_meshes(std::vector<NamedMesh>& meshes, Scene& scene) {
   const bool smooth = std::any_of(meshes.begin(), meshes.end(),
                                   [](const NamedMesh& mesh) { return !mesh.mesh.normals.empty(); });
   std::vector<uint32_t> first_triangles{0};
+  std::vector<uint32_t> cutout_of_triangle;
   for (NamedMesh& mesh : meshes) {
     if (smooth && mesh.mesh.normals.empty()) split_flat(mesh.mesh);
+    append_cutouts(mesh.mesh, scene.triangles.size(), cutout_of_triangle, scene);
     append(mesh, scene);
+    scene.side_files.insert(scene.side_files.end(), mesh.mesh.side_files.begin(), mesh.mesh.side_files.end());
     first_triangles.push_back(static_cast<uint32_t>(scene.triangles.size()));
     mesh.mesh = {};
   }
   const std::vector<TriangleFault> faults = find_triangle_faults(scene);
   report_faults(meshes, first_triangles, faults, scene);
   remove_triangles(scene, faults);
+  size_t next = 0;
+  for (size_t t = 0; t < cutout_of_triangle.size(); ++t) {
+    if (faults[t] == TriangleFault::none) cutout_of_triangle[next++] = cutout_of_triangle[t];
+  }
+  if (!cutout_of_triangle.empty()) cutout_of_triangle.resize(next);
+  move_cutouts_last(scene, cutout_of_triangle);
   for (const glm::vec3& p : scene.positions_world) {
     scene.bounds_world.min = glm::min(scene.bounds_world.min, dvec3(p));
     scene.bounds_world.max = glm::max(scene.bounds_world.max, dvec3(p));

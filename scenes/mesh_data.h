@@ -2,19 +2,28 @@
 #pragma once
 // A mesh on its way from a file or a shape to the scene, in doubles.
 
+#include "scenes/cutouts.h"
 #include "scenes/scene.h"
 
 #include <glm/vec3.hpp>
 
+#include <filesystem>
 #include <vector>
 
 namespace umbrameter {
 
+/// No entry in MeshData::cutouts.
+inline constexpr uint32_t kSolid = ~0u;
+
 struct MeshData {
   std::vector<glm::dvec3> positions;
-  std::vector<glm::dvec3> normals;    // unit shading normals, one per position; empty = flat shading
-  std::vector<glm::uvec3> triangles;  // indices into positions; counter-clockwise seen from outside
-  std::vector<MeshPart> parts;        // cover `triangles` in order
+  std::vector<glm::dvec3> normals;           // unit shading normals, one per position; empty = flat shading
+  std::vector<glm::uvec3> triangles;         // indices into positions; counter-clockwise seen from outside
+  std::vector<MeshPart> parts;               // cover `triangles` in order
+  std::vector<uint32_t> cutout_of_triangle;  // index into cutouts or kSolid; empty = all solid
+  std::vector<Cutout> cutouts;
+  std::vector<AlphaMask> masks;
+  std::vector<std::filesystem::path> side_files;  // material libraries and masks that were asked for
 };
 
 }  // namespace umbrameter

@@ -61,7 +61,8 @@ Light read_light(const TomlNode& table) {
   TomlReader reader(table, "[[light]]");
   Light light;
   light.type = static_cast<LightType>(reader.choice("type", kTypes));
-  light.name = reader.text("name", std::string(to_text(light.type)));
+  light.name = reader.text("name", "");
+  if (light.name.empty() && reader.has("name")) reader.fail("name", "the light's 'name' is empty");
   if (light.type != LightType::sun) light.center_world = read_point(reader, "center");
   if (light.type == LightType::rect) light.size_world = read_lengths2(reader, "size");
   if (light.type == LightType::disk || light.type == LightType::sphere) {

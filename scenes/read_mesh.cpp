@@ -2,6 +2,7 @@
 #include "scenes/read_mesh.h"
 
 #include "scenes/file_ending.h"
+#include "scenes/gltf/gltf_mesh.h"
 #include "scenes/obj/load_obj.h"
 #include "scenes/read_shape.h"
 #include "scenes/read_values.h"
@@ -86,14 +87,15 @@ void apply(const Transform& transform, MeshData& mesh) {
   const dmat3 normal_matrix = glm::transpose(glm::inverse(transform.linear));
   for (dvec3& n : mesh.normals) n = glm::normalize(normal_matrix * n);
   if (volume > 0.0) return;
+  for (Cutout& cutout : mesh.cutouts) std::swap(cutout.uv[1], cutout.uv[2]);
   for (glm::uvec3& t : mesh.triangles) std::swap(t.y, t.z);  // a mirrored mesh keeps its outside outside
 }
 
 fs::path require_mesh_file(const TomlReader& reader, const std::string& name, const fs::path& folder,
                            const SceneSearch& search) {
-  if (!has_ending(name, ".obj") && !has_ending(name, ".obj.zst")) {
+  if (!has_ending(name, ".obj") && !has_ending(name, ".obj.zst") && !is_gltf(name)) {
     reader.fail("file", fmt::format("mesh file '{}' has an unknown format", name),
-                "'.obj' and '.obj.zst' are read");
+                "'.obj', '.obj.zst', '.gltf' and '.glb' are read");
   }
   if (const auto found = find_mesh_file(name, folder, search)) return *found;
   std::string places = fmt::format("'{}'", folder.empty() ? "." : folder.string());
@@ -132,9 +134,11 @@ NamedMesh read_mesh(const TomlNode& table, const fs::path& folder, const SceneSe
     const std::string file_name = fs::path(file).filename().string();
     result.name = reader.text("name", file_name.substr(0, file_name.find('.')));
     result.label = file_name;
-    const ObjFilter filter{reader.texts("include"), reader.texts("exclude")};
+    const MeshFilter filter{reader.texts("include"), reader.texts("exclude")};
     reader.finish();  // a misspelt key is cheaper to find than a large file is to load
-    result.mesh = load_obj(require_mesh_file(reader, file, folder, search), filter, warnings);
+    const fs::path found = require_mesh_file(reader, file, folder, search);
+    result.mesh = is_gltf(file) ? load_gltf_mesh(open_gltf(found), filter, warnings)
+                                : load_obj(found, filter, warnings);
   }
   apply(transform, result.mesh);
   return result;

@@ -4,12 +4,14 @@
 // float and final (world space), so that Embree and GL see bit-identical vertices.
 
 #include "core/error.h"
+#include "scenes/cutouts.h"
 #include "scenes/light.h"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
 #include <cstdint>
+#include <filesystem>
 #include <limits>
 #include <string>
 #include <vector>
@@ -51,6 +53,10 @@ struct Scene {
   std::vector<glm::vec3> normals_world;  // per vertex, unit shading normals; empty = flat shading everywhere
   std::vector<glm::uvec3> triangles;     // vertex indices; primitive_id = index here
   std::vector<MeshPart> parts;
+  std::vector<Cutout> cutouts;  // of the last triangles, one each; empty = everything is solid
+  std::vector<AlphaMask> masks;
+  std::vector<std::filesystem::path>
+      side_files;  // what the meshes' files named and was asked for, there or not
   Bounds3 bounds_world;
 
   std::vector<std::string>
@@ -58,6 +64,8 @@ struct Scene {
   std::string hash;  // of everything above that can change a picture
 
   const Light& light() const { return lights.at(active_light); }
+  /// Triangles from here on have holes.
+  uint32_t first_cutout() const { return static_cast<uint32_t>(triangles.size() - cutouts.size()); }
 };
 
 /// Geometric unit normal of a triangle, from its winding (not flipped towards anybody).

@@ -24,6 +24,13 @@ void hash_light(Hasher& hasher, const Light& light) {
 
 }  // namespace
 
+void hash_cutouts(Hasher& hasher, const Scene& scene) {
+  if (scene.cutouts.empty()) return;
+  hasher.values(std::span<const Cutout>(scene.cutouts));
+  for (const AlphaMask& mask : scene.masks)
+    hasher.number(mask.width).number(mask.height).values(std::span<const uint32_t>(mask.bits));
+}
+
 std::string hash_scene(const Scene& scene) {
   Hasher hasher;
   for (const glm::dvec3& v : {scene.camera.eye_world, scene.camera.at_world, scene.camera.up_world}) {
@@ -37,6 +44,7 @@ std::string hash_scene(const Scene& scene) {
   hasher.number(static_cast<double>(scene.normals_world.size()));
   hasher.values(std::span<const glm::vec3>(scene.normals_world));
   hasher.values(std::span<const glm::uvec3>(scene.triangles));
+  hash_cutouts(hasher, scene);
   return hasher.hex();
 }
 

@@ -142,6 +142,17 @@ void read_scenes(TomlReader& reader, StudyFile& study) {
   require_different(reader, "scenes", "scene", study.scenes);
 }
 
+/// One or a list; none when absent.
+std::vector<std::string> read_lights(TomlReader& reader) {
+  const TomlNode* node = reader.find("light");
+  if (node == nullptr) return {};
+  if (node->type == TomlNode::Type::text) return {node->text};
+  const std::vector<std::string> lights = reader.texts("light");
+  if (lights.empty()) reader.fail("light", "'light' is an empty list");
+  require_different(reader, "light", "light", lights);
+  return lights;
+}
+
 /// One or a list.
 std::vector<std::string> read_qualities(TomlReader& reader, const std::vector<std::string>& fallback) {
   const TomlNode* node = reader.find("quality");
@@ -180,6 +191,9 @@ std::optional<PaperRatio> paper_ratio(const Claim& claim, const std::string& sce
   for (const auto& [name, ratio] : claim.by_scene) {
     if (name == scene) return ratio;
   }
+  for (const auto& [name, ratio] : claim.by_scene) {
+    if (scene.starts_with(name + "/")) return ratio;
+  }
   return claim.every_scene;
 }
 
@@ -194,6 +208,7 @@ StudyFile read_study(const TomlNode& root) {
   study.title = reader.text("title");
   study.doc = reader.text("doc", "");
   read_scenes(reader, study);
+  study.lights = read_lights(reader);
   study.cameras = read_study_cameras(reader);
   read_effort(reader, study);
   for (const TomlNode* table : reader.tables("run")) {

@@ -49,13 +49,14 @@ struct Claim {
   FileLocation where;
 };
 
-/// The paper's ratio for `scene`, if it has one.
+/// The paper's ratio for `scene`, or for the scene of which it is the view under one light, if there is one.
 std::optional<PaperRatio> paper_ratio(const Claim& claim, const std::string& scene);
 
 struct StudyFile {
   std::string title;
   std::string doc;
   std::vector<std::string> scenes;              // as written: library names or paths
+  std::vector<std::string> lights;              // names or numbers; none: every light of each scene
   std::vector<StudyCamera> cameras;             // every scene is seen from each; none: from its own
   std::vector<std::string> qualities{"quick"};  // each a study of its own; the next four go with one
   std::optional<int64_t> width_px, height_px, samples_per_pixel;

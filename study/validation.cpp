@@ -154,7 +154,8 @@ SceneResult validate_scene(const SceneWork& work, Results& results) {
 
 SceneSource source_of(const SceneJob& job) {
   const std::shared_ptr<const Scene> borrowed(&job.scene, [](const Scene*) {});
-  return {describe(job), job.scene.light().type, job.scene.active_light, [borrowed] { return borrowed; }};
+  return {describe(job), job.scene.light().type, job.scene.active_light, job.scene.side_files,
+          [borrowed] { return borrowed; }};
 }
 
 std::optional<std::string> skip_reason(const TechniqueRun& run, LightType light) {

@@ -32,6 +32,7 @@ struct SceneSource {
   SceneResult description;  // without results
   LightType light = LightType::rect;
   size_t active_light = 0;
+  std::vector<std::filesystem::path> side_files;  // as Scene's
   std::function<std::shared_ptr<const Scene>()> load;
 };
 

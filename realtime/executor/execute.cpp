@@ -86,6 +86,10 @@ void draw_pass(const Plan& plan, const Step& step, const SceneBuffers& scene_buf
   if (declaration.kind == "scene") {
     set_clip_distances(declaration.state, true);
     step.casters ? scene_buffers.draw(*step.casters) : scene_buffers.draw();
+    if (pass.cutout_program) {
+      pass.cutout_program->use();
+      scene_buffers.cutouts()->draw();
+    }
     set_clip_distances(declaration.state, false);
   } else {
     draw_fullscreen(empty_vertex_array);

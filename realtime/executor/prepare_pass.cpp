@@ -79,18 +79,22 @@ std::filesystem::path vertex_file(const PassDeclaration& pass, const RunInputs& 
 
 std::shared_ptr<const Program> compile(const PassDeclaration& pass, const std::filesystem::path& vertex,
                                        const RunInputs& inputs, const Targets& targets,
-                                       std::span<const std::string> loop_variables, ProgramCache& programs) {
+                                       std::span<const std::string> loop_variables, bool has_holes,
+                                       ProgramCache& programs) {
   PreludeInputs prelude{
       inputs.technique, inputs.values, pass, {loop_variables.begin(), loop_variables.end()}, {}};
   prelude.format_of = [&targets](const std::string& name) {
     const Target* target = targets.find(name);
     return target == nullptr ? nullptr : &target->texture->format();
   };
-  std::vector<ShaderFile> stages = {{ShaderStage::vertex, vertex, vertex_prelude(prelude)}};
-  if (!pass.fragment.empty()) {
-    const auto fragment =
-        find_shader(pass.fragment, inputs.technique.folder, inputs.shaders_folder, pass.where);
-    stages.push_back({ShaderStage::fragment, fragment, fragment_prelude(prelude)});
+  const std::string vertex_holes = has_holes ? cutout_vertex_prelude() : "";
+  const std::string fragment_holes = has_holes ? cutout_fragment_prelude() : "";
+  std::vector<ShaderFile> stages = {{ShaderStage::vertex, vertex, vertex_prelude(prelude) + vertex_holes}};
+  if (!pass.fragment.empty() || has_holes) {
+    const auto fragment = pass.fragment.empty() ? inputs.shaders_folder / "lib" / "cutout_depth.frag"
+                                                : find_shader(pass.fragment, inputs.technique.folder,
+                                                              inputs.shaders_folder, pass.where);
+    stages.push_back({ShaderStage::fragment, fragment, fragment_prelude(prelude) + fragment_holes});
   }
   return programs.get(stages);
 }
@@ -117,7 +121,9 @@ PreparedPass prepare_pass(const PassDeclaration& pass, int write_level, const Ru
                                  &target->sampler});
   }
   const std::filesystem::path vertex = vertex_file(pass, inputs);
-  prepared.program = compile(pass, vertex, inputs, targets, loop_variables, programs);
+  prepared.program = compile(pass, vertex, inputs, targets, loop_variables, false, programs);
+  if (pass.kind == "scene" && inputs.scene_buffers.cutouts() != nullptr)
+    prepared.cutout_program = compile(pass, vertex, inputs, targets, loop_variables, true, programs);
   prepared.may_cull_casters = pass.kind == "scene" && !prepared.program->names_primitive_id() &&
                               vertex.parent_path() == inputs.shaders_folder / "lib";
   return prepared;

@@ -29,6 +29,8 @@ struct PreparedPass {
   const PassDeclaration* declaration = nullptr;
   int write_level = 0;
   std::shared_ptr<const Program> program;
+  std::shared_ptr<const Program>
+      cutout_program;  // of a scene pass: the same for triangles with holes, if there are any
   Framebuffer framebuffer;
   std::vector<const TextureFormat*> color_formats;
   bool has_depth = false;

@@ -49,9 +49,9 @@ GBufferData make_gbuffer_data(const Scene& scene, const GBuffer& target, int sub
   return data;
 }
 
-std::shared_ptr<const Program> load(ProgramCache& programs, const fs::path& vertex,
-                                    const fs::path& fragment) {
-  const std::string prelude(kFrameBlockGlsl);
+std::shared_ptr<const Program> load(ProgramCache& programs, const fs::path& vertex, const fs::path& fragment,
+                                    const std::string& defines = {}) {
+  const std::string prelude = std::string(kFrameBlockGlsl) + defines;
   const std::array<ShaderFile, 2> stages = {
       {{ShaderStage::vertex, vertex, prelude}, {ShaderStage::fragment, fragment, prelude}}};
   return programs.get(stages);
@@ -75,7 +75,9 @@ size_t GBuffer::bytes() const {
 
 GBufferRenderer::GBufferRenderer(ProgramCache& programs, const fs::path& shaders_folder,
                                  const GlLimits& limits)
-    : visible_triangle_(load(programs, shaders_folder / "gbuffer" / "visible_triangle.vert",
+    : programs_(programs),
+      shaders_folder_(shaders_folder),
+      visible_triangle_(load(programs, shaders_folder / "gbuffer" / "visible_triangle.vert",
                              shaders_folder / "gbuffer" / "visible_triangle.frag")),
       surface_(load(programs, shaders_folder / "lib" / "fullscreen.vert",
                     shaders_folder / "gbuffer" / "surface.frag")),
@@ -83,6 +85,16 @@ GBufferRenderer::GBufferRenderer(ProgramCache& programs, const fs::path& shaders
       gbuffer_block_(sizeof(GBufferData), nullptr, true),
       no_attributes_(make_empty_vertex_array()),
       subpixel_bits_(limits.subpixel_bits) {}
+
+const Program& GBufferRenderer::visible_triangle(bool has_cutouts) {
+  if (!has_cutouts) return *visible_triangle_;
+  const fs::path folder = shaders_folder_ / "gbuffer";
+  if (!visible_cutout_) {
+    visible_cutout_ = load(programs_, folder / "visible_triangle.vert", folder / "visible_triangle.frag",
+                           "#define HAS_CUTOUTS\n");
+  }
+  return *visible_cutout_;
+}
 
 void GBufferRenderer::render(const Scene& scene, const SceneBuffers& buffers, const GBuffer& target) {
   const FrameData frame = make_frame_data(scene, target.width(), target.height(), 0);
@@ -99,7 +111,7 @@ void GBufferRenderer::render(const Scene& scene, const SceneBuffers& buffers, co
   clear_texture(target.primitive_id, std::array{static_cast<double>(kNoPrimitive)});
   clear_texture(target.depth, std::array{0.0});
   triangle_target.bind();
-  visible_triangle_->use();
+  visible_triangle(buffers.cutouts() != nullptr).use();
   buffers.draw_pulled();
 
   const std::array<const Texture*, 4> surfaces = {&target.position, &target.normal, &target.shading_normal,

@@ -33,7 +33,7 @@ inline constexpr uint32_t kNoPrimitive = 0xffffffffu;
 /// not by the rasteriser's snapped vertices, so that it is the one a ray tracer finds.
 class GBufferRenderer {
  public:
-  /// Compiles its shaders; `programs` must know the folders shaders/lib and shaders/shared, `shaders_folder`
+  /// Compiles its shaders; `programs` must live as long and know the folders shaders/lib and shaders/shared, `shaders_folder`
   /// holds gbuffer/ and lib/.
   GBufferRenderer(ProgramCache& programs, const std::filesystem::path& shaders_folder,
                   const GlLimits& limits);
@@ -42,7 +42,12 @@ class GBufferRenderer {
   void render(const Scene& scene, const SceneBuffers& buffers, const GBuffer& target);
 
  private:
+  const Program& visible_triangle(bool has_cutouts);
+
+  ProgramCache& programs_;
+  std::filesystem::path shaders_folder_;
   std::shared_ptr<const Program> visible_triangle_;
+  std::shared_ptr<const Program> visible_cutout_;  // compiled for the first scene with holes
   std::shared_ptr<const Program> surface_;
   Buffer frame_block_;
   Buffer gbuffer_block_;

@@ -38,14 +38,16 @@ SceneBuffers::SceneBuffers(const Scene& scene)
       triangles_(Buffer::of(std::span(scene.triangles))),
       normals_(scene.normals_world.empty() ? Buffer(sizeof(float), &kNoNormal)
                                            : Buffer::of(std::span(scene.normals_world))),
+      cutouts_(scene.cutouts.empty() ? nullptr : std::make_unique<const CutoutBuffers>(scene)),
       indexed_(make_indexed_vertex_array(positions_, triangles_)),
       pulled_(make_empty_vertex_array()),
       triangle_count_(scene.triangles.size()),
+      solid_count_(scene.first_cutout()),
       has_normals_(!scene.normals_world.empty()) {}
 
 void SceneBuffers::draw() const {
   glBindVertexArray(indexed_.id());
-  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * triangle_count_), GL_UNSIGNED_INT, nullptr);
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * solid_count_), GL_UNSIGNED_INT, nullptr);
 }
 
 void SceneBuffers::draw(const IndexRanges& ranges) const {
@@ -63,10 +65,11 @@ void SceneBuffers::bind_storage() const {
   bind_storage_buffer(kPositionsBinding, positions_);
   bind_storage_buffer(kTrianglesBinding, triangles_);
   bind_storage_buffer(kNormalsBinding, normals_);
+  if (cutouts_) cutouts_->bind_storage();
 }
 
 size_t SceneBuffers::bytes() const {
-  return positions_.bytes() + triangles_.bytes() + normals_.bytes();
+  return positions_.bytes() + triangles_.bytes() + normals_.bytes() + (cutouts_ ? cutouts_->bytes() : 0);
 }
 
 }  // namespace umbrameter

@@ -2,10 +2,12 @@
 #pragma once
 // A scene's triangles on the GPU, uploaded once.
 
+#include "realtime/harness/cutout_buffers.h"
 #include "realtime/harness/objects.h"
 #include "realtime/views/casters.h"
 #include "scenes/scene.h"
 
+#include <memory>
 #include <vector>
 
 namespace umbrameter {
@@ -28,14 +30,16 @@ class SceneBuffers {
  public:
   explicit SceneBuffers(const Scene& scene);
 
-  /// One indexed draw of every triangle; attribute location 0 = vec3 p_world. A program must be in use.
+  /// One indexed draw of every solid triangle; attribute location 0 = vec3 p_world. A program must be in use.
   void draw() const;
   /// The same of these triangles alone, in one call; gl_PrimitiveID starts anew in each range.
   void draw(const IndexRanges& ranges) const;
   /// One draw of 3 * triangle_count vertices without attributes, for shaders that pull from the storage
   /// buffers.
   void draw_pulled() const;
-  /// Binds the three storage buffers.
+  /// The triangles with holes; null for a scene without.
+  const CutoutBuffers* cutouts() const { return cutouts_.get(); }
+  /// Binds the storage buffers.
   void bind_storage() const;
 
   size_t triangle_count() const { return triangle_count_; }
@@ -46,9 +50,11 @@ class SceneBuffers {
   Buffer positions_;
   Buffer triangles_;
   Buffer normals_;
+  std::unique_ptr<const CutoutBuffers> cutouts_;
   VertexArray indexed_;
   VertexArray pulled_;
   size_t triangle_count_ = 0;
+  size_t solid_count_ = 0;
   bool has_normals_ = false;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reference/exact/exact_check.h"
 
+#include "core/error.h"
 #include "reference/exact/exact_light.h"
 #include "reference/interval.h"
 
@@ -94,8 +95,16 @@ std::vector<size_t> draw_check_pixels(const Image& pilot, size_t count, uint64_t
   return penumbra;
 }
 
+void require_exact(const Scene& scene) {
+  if (scene.cutouts.empty()) return;
+  fail_input(fmt::format("the exact check cannot see holes, which {} of {} triangles have",
+                         scene.cutouts.size(), scene.triangles.size()),
+             scene.source);
+}
+
 std::vector<CheckedPoint> check_pixels(const Scene& scene, const Image& reference,
                                        std::span<const size_t> pixels, int threads, Progress& progress) {
+  require_exact(scene);
   const TriangleTree tree(scene);
   std::vector<CheckedPoint> points(pixels.size());
   progress.begin("exact check", pixels.size());

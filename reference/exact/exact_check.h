@@ -32,9 +32,12 @@ struct CheckedPoint {
 /// Fewer when the picture has fewer; a short half is filled from the other. Ascending.
 std::vector<size_t> draw_check_pixels(const Image& pilot, size_t count, uint64_t seed);
 
+/// Error{input} for a scene that the oracle cannot see: one with holes in its triangles.
+void require_exact(const Scene& scene);
+
 /// The exact answer at the centres of `pixels` of `reference`, with at most `threads` threads (0 = all). The receiver is
 /// computed anew: where the ray through the pixel's centre meets the plane of the triangle it sees, 1e-12 of the scene's
-/// extent above it, so that its own surface lies below.
+/// extent above it, so that its own surface lies below. Error{input} as require_exact().
 std::vector<CheckedPoint> check_pixels(const Scene& scene, const Image& reference,
                                        std::span<const size_t> pixels, int threads, Progress& progress);
 

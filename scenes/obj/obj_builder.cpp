@@ -89,7 +89,8 @@ void split_vertices(MeshData& mesh, const std::vector<glm::dvec3>& normals,
 
 }  // namespace
 
-ObjBuilder::ObjBuilder(ObjLines& lines, const ObjFilter& filter) : lines_(lines), filter_(filter) {}
+ObjBuilder::ObjBuilder(ObjLines& lines, const MeshFilter& filter)
+    : lines_(lines), filter_(filter), cutouts_(lines.file()) {}
 
 void ObjBuilder::fail(const std::string& message, const std::string& hint) const {
   fail_input(message, {lines_.file(), lines_.line()}, hint);
@@ -105,6 +106,11 @@ void ObjBuilder::add_normal(const glm::dvec3& n) {
   if (!is_finite(n)) lines_.repairs().add(ObjRepair::normal_not_finite, lines_.line());
   if (normals_.size() == kMaxVertices) fail(fmt::format("more than {} normals", kMaxVertices));
   normals_.push_back(n);
+}
+
+void ObjBuilder::add_texture_point(const glm::dvec2& uv) {
+  if (texture_points_.size() == kMaxVertices) fail(fmt::format("more than {} texture points", kMaxVertices));
+  texture_points_.emplace_back(uv);
 }
 
 void ObjBuilder::set_name(std::string& slot, const std::string& name) {
@@ -140,6 +146,7 @@ void ObjBuilder::add_face(std::span<const ObjCorner> corners) {
   if (names_changed_) {
     kept_ = is_kept();
     label_ = kept_ ? label_index() : 0;
+    has_holes_ = cutouts_.find(material_) != nullptr;
     names_changed_ = false;
   }
   std::vector<uint32_t> positions;
@@ -155,8 +162,18 @@ void ObjBuilder::add_face(std::span<const ObjCorner> corners) {
   if (parts.equal_neighbours > 0)
     lines_.repairs().add(ObjRepair::equal_neighbours, lines_.line(), parts.equal_neighbours);
   if (parts.is_guess) lines_.repairs().add(ObjRepair::crossing_face, lines_.line());
-  for (const auto& [a, b, c] : parts.triangles)
+  for (const auto& [a, b, c] : parts.triangles) {
+    if (has_holes_)
+      cutouts_.add(mesh_.triangles.size(), material_,
+                   {texture_point(corners[a]), texture_point(corners[b]), texture_point(corners[c])});
     add_triangle({positions[a], positions[b], positions[c]}, {normals[a], normals[b], normals[c]});
+  }
+}
+
+/// (0, 0) for a corner without one, as renderers do.
+glm::vec2 ObjBuilder::texture_point(const ObjCorner& corner) const {
+  if (corner.texture == 0) return glm::vec2(0.0f);
+  return texture_points_[resolve(corner.texture, texture_points_.size(), "texture point")];
 }
 
 void ObjBuilder::add_triangle(const glm::uvec3& positions, const glm::uvec3& normals) {
@@ -212,8 +229,14 @@ void ObjBuilder::group_by_label(MeshData& mesh) {
     first[i + 1] += first[i];
   }
   std::vector<glm::uvec3> sorted(mesh.triangles.size());
-  for (size_t t = 0; t < sorted.size(); ++t) sorted[first[triangle_labels_[t]]++] = mesh.triangles[t];
+  std::vector<uint32_t> sorted_cutouts(mesh.cutout_of_triangle.size());
+  for (size_t t = 0; t < sorted.size(); ++t) {
+    const uint32_t place = first[triangle_labels_[t]]++;
+    sorted[place] = mesh.triangles[t];
+    if (!sorted_cutouts.empty()) sorted_cutouts[place] = mesh.cutout_of_triangle[t];
+  }
   mesh.triangles = std::move(sorted);
+  mesh.cutout_of_triangle = std::move(sorted_cutouts);
 }
 
 MeshData ObjBuilder::finish(std::vector<std::string>& warnings) {
@@ -225,6 +248,7 @@ MeshData ObjBuilder::finish(std::vector<std::string>& warnings) {
   }
   lines_.repairs().report(file_name(), warnings);
   finish_normals(warnings);
+  cutouts_.finish(mesh_, warnings);
   group_by_label(mesh_);
   return std::move(mesh_);
 }

@@ -3,6 +3,7 @@
 // Collects the statements of an OBJ file into a mesh; load_obj.cpp calls it from tinyobjloader's callbacks.
 
 #include "scenes/obj/load_obj.h"
+#include "scenes/obj/obj_cutouts.h"
 #include "scenes/obj/obj_lines.h"
 
 #include <map>
@@ -13,18 +14,21 @@
 
 namespace umbrameter {
 
-/// One corner of a face as written: 1-based or negative (relative) indices; normal 0 = none.
+/// One corner of a face as written: 1-based or negative (relative) indices; 0 = none.
 struct ObjCorner {
   int position = 0;
   int normal = 0;
+  int texture = 0;
 };
 
 class ObjBuilder {
  public:
-  ObjBuilder(ObjLines& lines, const ObjFilter& filter);
+  ObjBuilder(ObjLines& lines, const MeshFilter& filter);
 
   void add_position(const glm::dvec3& p);
   void add_normal(const glm::dvec3& n);
+  void add_texture_point(const glm::dvec2& uv);
+  void read_library(const std::string& name) { cutouts_.read_library(name, mesh_.triangles.size()); }
   void add_face(std::span<const ObjCorner> corners);
   void set_material(const std::string& name) { set_name(material_, name); }
   void set_group(const std::string& name) { set_name(group_, name); }
@@ -38,6 +42,7 @@ class ObjBuilder {
   uint32_t label_index();
   uint32_t resolve(int index, size_t count, const char* what) const;
   void require_names_seen() const;
+  glm::vec2 texture_point(const ObjCorner& corner) const;
   void add_triangle(const glm::uvec3& positions, const glm::uvec3& normals);
   void finish_normals(std::vector<std::string>& warnings);
   void group_by_label(MeshData& mesh);
@@ -45,12 +50,16 @@ class ObjBuilder {
   [[noreturn]] void fail(const std::string& message, const std::string& hint = {}) const;
 
   ObjLines& lines_;
-  const ObjFilter& filter_;
+  const MeshFilter& filter_;
   MeshData mesh_;
   std::vector<glm::dvec3> normals_;
   std::vector<glm::uvec3>
       triangle_normals_;  // indices into normals_, kNoNormal: none; empty as long as no face has any
   std::vector<uint32_t> triangle_labels_;
+
+  std::vector<glm::vec2> texture_points_;
+  ObjCutouts cutouts_;
+  bool has_holes_ = false;  // the material in use
 
   std::string material_, group_, object_;
   std::set<std::string> seen_;  // every name of a material, group or object

@@ -13,11 +13,13 @@ struct RepairText {
 };
 
 // In the order of ObjRepair.
-constexpr std::array<RepairText, 5> kTexts = {{
+constexpr std::array<RepairText, 6> kTexts = {{
     {"corner with slashes at its end is read without them",
      "corners with slashes at their ends are read without them"},
     {"face of less than three corners is left out", "faces of less than three corners are left out"},
     {"normal that is not finite is not used", "normals that are not finite are not used"},
+    {"texture point that is no number is taken as 0 0",
+     "texture points that are no numbers are taken as 0 0"},
     {"corner is left out, being where its neighbour is",
      "corners are left out, being where their neighbours are"},
     {"face crosses itself, so its triangles are a guess",

@@ -9,7 +9,14 @@
 
 namespace umbrameter {
 
-enum class ObjRepair { trailing_slash, small_face, normal_not_finite, equal_neighbours, crossing_face };
+enum class ObjRepair {
+  trailing_slash,
+  small_face,
+  normal_not_finite,
+  texture_not_finite,
+  equal_neighbours,
+  crossing_face
+};
 
 class ObjRepairs {
  public:
@@ -23,7 +30,7 @@ class ObjRepairs {
     size_t count = 0;
     int first_line = 0;
   };
-  std::array<Tally, 5> tallies_{};
+  std::array<Tally, 6> tallies_{};
 };
 
 }  // namespace umbrameter

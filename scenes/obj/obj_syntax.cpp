@@ -10,9 +10,9 @@
 namespace umbrameter {
 namespace {
 
-constexpr std::array<std::string_view, 18> kIgnored = {
-    "vt",     "vp",     "p",      "l",      "g",     "s",        "mg",       "o",          "lod",
-    "usemtl", "mtllib", "usemap", "maplib", "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj"};
+constexpr std::array<std::string_view, 17> kIgnored = {
+    "vp",     "p",      "l",      "g",     "s",        "mg",       "o",          "lod",      "usemtl",
+    "mtllib", "usemap", "maplib", "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj"};
 
 constexpr std::string_view kBlank = " \t";
 constexpr std::array<std::string_view, 7> kNumeric = {"v", "vn", "vt", "vp", "f", "l", "p"};
@@ -185,6 +185,18 @@ bool repair_normal(StatementCursor& cursor, ObjRepairs& repairs, std::string& re
   return true;
 }
 
+/// One to three numbers; only cut-outs ask for them.
+bool repair_texture_point(StatementCursor& cursor, ObjRepairs& repairs, std::string& repaired) {
+  size_t count = 0;
+  bool is_fine = true;
+  for (std::string_view token = cursor.next(); !token.empty(); token = cursor.next(), ++count)
+    is_fine &= is_number(token);
+  if (is_fine && count > 0) return false;
+  repairs.add(ObjRepair::texture_not_finite, cursor.line());
+  repaired = "vt 0 0";
+  return true;
+}
+
 std::string_view keyword_of(std::string_view statement) {
   const size_t start = std::min(statement.find_first_not_of(kBlank), statement.size());
   return statement.substr(start, statement.find_first_of(kBlank, start) - start);
@@ -233,6 +245,7 @@ bool check_obj_statement(const ObjText& text, ObjRepairs& repairs, std::string& 
   if (keyword.empty()) return false;
   if (keyword == "f") return repair_face(cursor, repairs, repaired);
   if (keyword == "vn") return repair_normal(cursor, repairs, repaired);
+  if (keyword == "vt") return repair_texture_point(cursor, repairs, repaired);
   if (keyword == "v") check_position(cursor);
   if (keyword == "v" || contains(kIgnored, keyword)) return false;
   cursor.fail(fmt::format("unknown OBJ statement '{}'", keyword.substr(0, 40)),

@@ -26,10 +26,14 @@ bool is_in(const MeshPart& part, size_t triangle) {
 template <class Keep>
 Scene only(Scene scene, const Keep& keep) {
   std::vector<glm::uvec3> kept;
+  std::vector<Cutout> cutouts;
   for (size_t i = 0; i < scene.triangles.size(); ++i) {
-    if (keep(i)) kept.push_back(scene.triangles[i]);
+    if (!keep(i)) continue;
+    kept.push_back(scene.triangles[i]);
+    if (i >= scene.first_cutout()) cutouts.push_back(scene.cutouts[i - scene.first_cutout()]);
   }
   scene.triangles = std::move(kept);
+  scene.cutouts = std::move(cutouts);
   scene.parts.clear();  // they no longer count right, and no renderer asks
   scene.hash.clear();
   return scene;

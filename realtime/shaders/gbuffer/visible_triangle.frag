@@ -2,6 +2,9 @@
 // Which triangle the ray through the pixel's centre hits first: the watertight test of Woop, Benthin, Wald,
 // "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013, section 3.2, with the ray as the z axis.
 #include "camera.glsl"
+#ifdef HAS_CUTOUTS
+#include "cutout.glsl"
+#endif
 
 flat in vec3 a_view;
 flat in vec3 b_view;
@@ -36,6 +39,9 @@ void main() {
   if (is_outside || sum == 0.0) discard;
   float distance_world = dot(weights, vec3(a_view.z, b_view.z, c_view.z)) / sum;
   if (!(distance_world > forward_world.w)) discard;
+#ifdef HAS_CUTOUTS
+  if (is_hole_of(triangle, weights / sum)) discard;
+#endif
   out_primitive_id = triangle;
   gl_FragDepth = forward_world.w / distance_world;
 }

@@ -51,7 +51,9 @@ const std::vector<Dialect> kDialects = {
     {"continued normal", kCorners + "vn 0 1 \\\n 0\n" + kFaces},
     {"byte order mark", "\xEF\xBB\xBF# a\n" + kCorners + kFaces},
     {"inline comments", with(kCorners + "l 1 3\ng box\n" + kFaces, "\n", " # and so on\n")},
-    {"material without a library", "mtllib gone.mtl\n" + kCorners + "usemtl gone\n" + kFaces},
+    {"material without a library",
+     "mtllib gone.mtl\n" + kCorners + "usemtl gone\n" + kFaces,
+     {"m.obj: the material library 'gone.mtl' is not there, so no material has holes"}},
     {"flat normals", kCorners + "vn 0 0 1\nvn 0 0 -1\nvn -1 0 0\nvn 1 0 0\nvn 0 1 0\nvn 0 -1 0\n"
                                 "f 1//1 2//1 3//1 4//1\nf 6//2 5//2 8//2 7//2\nf 5//3 1//3 4//3 8//3\n"
                                 "f 2//4 6//4 7//4 3//4\nf 4//5 3//5 7//5 8//5\nf 5//6 6//6 2//6 1//6\n"},

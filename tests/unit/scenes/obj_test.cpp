@@ -45,7 +45,7 @@ class Obj : public testing::Test {
   }
 
   TemporaryFolder folder_;
-  ObjFilter filter_;
+  MeshFilter filter_;
   std::vector<std::string> warnings_;
 };
 

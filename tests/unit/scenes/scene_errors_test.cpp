@@ -124,9 +124,11 @@ TEST(SceneErrors, UnknownLightTypeNamesTheNearest) {
 }
 
 TEST(SceneErrors, TwoLightsOfOneName) {
-  const std::string sun = "type = \"sun\"\ndirection = [0, -1, 0]\nangular_diameter_deg = 1";
+  const std::string sun = "name = \"sky\"\ntype = \"sun\"\ndirection = [0, -1, 0]\nangular_diameter_deg = 1";
   EXPECT_EQ(error_of_light(sun + "\n[[light]]\n" + sun),
-            "x.toml:11:1: two lights are called 'sun' (give each a 'name')");
+            "x.toml:12:1: two lights are called 'sky' (give each a 'name' of its own)");
+  EXPECT_EQ(error_of_light("name = \"\"\ntype = \"sun\"\ndirection = [0, -1, 0]\nangular_diameter_deg = 1"),
+            "x.toml:8:8: [[light]]: the light's 'name' is empty");
 }
 
 TEST(SceneErrors, NothingToSee) {
@@ -194,9 +196,9 @@ TEST(SceneErrors, MissingMeshFileSaysWhereItWasSought) {
 }
 
 TEST(SceneErrors, UnknownMeshFormat) {
-  EXPECT_EQ(
-      error_of_mesh("file = \"bunny.ply\""),
-      "x.toml:5:8: [[mesh]]: mesh file 'bunny.ply' has an unknown format ('.obj' and '.obj.zst' are read)");
+  EXPECT_EQ(error_of_mesh("file = \"bunny.ply\""),
+            "x.toml:5:8: [[mesh]]: mesh file 'bunny.ply' has an unknown format ('.obj', '.obj.zst', '.gltf' "
+            "and '.glb' are read)");
 }
 
 TEST(SceneErrors, MissingSceneFile) {

@@ -89,6 +89,23 @@ TEST(StudyFileTest, SlipsInCamerasAreNamedAtTheirPlace) {
   EXPECT_THAT(slip("name = \"a\"\n[[camera]]\nname = \"a\"\n"), HasSubstr("two cameras are called 'a'"));
 }
 
+TEST(StudyFileTest, LightsAreOneOrAList) {
+  EXPECT_TRUE(parse(kRuns).lights.empty());
+  EXPECT_THAT(parse("light = \"sky\"\n" + std::string(kRuns)).lights, ElementsAre("sky"));
+  EXPECT_THAT(parse("light = [\"sky\", \"2\"]\n" + std::string(kRuns)).lights, ElementsAre("sky", "2"));
+  EXPECT_THAT(error_of("light = [\"sky\", \"sky\"]\n" + std::string(kRuns)),
+              HasSubstr("light 'sky' is given twice"));
+  EXPECT_THAT(error_of("light = []\n" + std::string(kRuns)), HasSubstr("'light' is an empty list"));
+}
+
+TEST(StudyFileTest, AClaimOfASceneIsOneOfEachOfItsLights) {
+  Claim claim;
+  claim.by_scene = {{"plate", {2.0, 2.0}}, {"plate/sky", {3.0, 3.0}}};
+  EXPECT_EQ(paper_ratio(claim, "plate/sky")->low, 3.0) << "its own comes first";
+  EXPECT_EQ(paper_ratio(claim, "plate/lamp")->low, 2.0);
+  EXPECT_FALSE(paper_ratio(claim, "plates").has_value());
+}
+
 TEST(StudyFileTest, SeveralQualitiesHaveNoSizeOfTheirOwn) {
   EXPECT_THAT(parse("quality = [\"quick\", \"full\"]\n" + std::string(kRuns)).qualities,
               ElementsAre("quick", "full"));

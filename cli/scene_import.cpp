@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/scene_import.h"
+
+#include "cli/console.h"
+#include "core/error.h"
+#include "core/files.h"
+#include "scenes/gltf/gltf_model.h"
+#include "scenes/gltf/import_gltf.h"
+#include "scenes/load_scene.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace umbrameter {
+
+int import_scene(const std::string& name, const GlobalOptions& global) {
+  namespace fs = std::filesystem;
+  if (!is_gltf(name))
+    fail_input(fmt::format("'{}' has an unknown format", name), {}, "'.gltf' and '.glb' are read");
+  const fs::path file(name);
+  const fs::path target = global.out.empty() ? "scene.toml" : global.out;
+  if (target.extension() != ".toml")
+    fail_input(fmt::format("the output '{}' does not end in '.toml'", target.string()));
+  const fs::path folder = fs::absolute(target).parent_path();
+  const ImportedScene imported = import_gltf(file, fs::relative(fs::absolute(file), folder));
+  const Scene scene = parse_scene(imported.toml, target, {});
+  create_folder(folder);
+  write_file_atomically(target, imported.toml);
+  for (const auto* warnings : {&imported.warnings, &scene.warnings}) {
+    for (const std::string& warning : *warnings) print_warning(warning);
+  }
+  if (global.json) {
+    print_json(
+        {{"file", target.string()}, {"triangles", scene.triangles.size()}, {"lights", scene.lights.size()}});
+  } else {
+    print_answer(fmt::format("{}: {} triangles, {} light{}\n", target.string(), scene.triangles.size(),
+                             scene.lights.size(), scene.lights.size() == 1 ? "" : "s"));
+  }
+  return kExitFine;
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "realtime/harness/cutout_buffers.h"
+
+#include <bit>
+#include <cstddef>
+#include <vector>
+
+namespace umbrameter {
+namespace {
+
+struct CutoutVertex {
+  glm::vec3 p_world;
+  glm::vec2 uv;
+  uint32_t mask;  // word in the storage buffer
+};
+
+constexpr size_t kRecordWords = 7;
+
+size_t mask_words(const AlphaMask& mask) {
+  return 2 + mask.bits.size();
+}
+
+/// Where each mask starts.
+std::vector<uint32_t> mask_places(const Scene& scene) {
+  std::vector<uint32_t> places;
+  size_t next = 1 + kRecordWords * scene.cutouts.size();
+  for (const AlphaMask& mask : scene.masks) {
+    places.push_back(static_cast<uint32_t>(next));
+    next += mask_words(mask);
+  }
+  return places;
+}
+
+std::vector<uint32_t> make_words(const Scene& scene) {
+  const std::vector<uint32_t> places = mask_places(scene);
+  std::vector<uint32_t> words{scene.first_cutout()};
+  for (const Cutout& cutout : scene.cutouts) {
+    for (const glm::vec2& uv : cutout.uv) {
+      words.push_back(std::bit_cast<uint32_t>(uv.x));
+      words.push_back(std::bit_cast<uint32_t>(uv.y));
+    }
+    words.push_back(places[cutout.mask]);
+  }
+  for (const AlphaMask& mask : scene.masks) {
+    words.push_back(mask.width);
+    words.push_back(mask.height);
+    words.insert(words.end(), mask.bits.begin(), mask.bits.end());
+  }
+  return words;
+}
+
+std::vector<CutoutVertex> make_vertices(const Scene& scene) {
+  const std::vector<uint32_t> places = mask_places(scene);
+  std::vector<CutoutVertex> vertices;
+  for (size_t i = 0; i < scene.cutouts.size(); ++i) {
+    const glm::uvec3& triangle = scene.triangles[scene.first_cutout() + i];
+    const Cutout& cutout = scene.cutouts[i];
+    for (int c = 0; c < 3; ++c)
+      vertices.push_back(
+          {scene.positions_world[triangle[c]], cutout.uv[static_cast<size_t>(c)], places[cutout.mask]});
+  }
+  return vertices;
+}
+
+VertexArray make_array(const Buffer& vertices) {
+  VertexArray array = make_empty_vertex_array();
+  for (const GLuint location : {0u, 1u, 2u}) {
+    glEnableVertexArrayAttrib(array.id(), location);
+    glVertexArrayAttribBinding(array.id(), location, 0);
+  }
+  glVertexArrayAttribFormat(array.id(), 0, 3, GL_FLOAT, GL_FALSE, offsetof(CutoutVertex, p_world));
+  glVertexArrayAttribFormat(array.id(), 1, 2, GL_FLOAT, GL_FALSE, offsetof(CutoutVertex, uv));
+  glVertexArrayAttribIFormat(array.id(), 2, 1, GL_UNSIGNED_INT, offsetof(CutoutVertex, mask));
+  glVertexArrayVertexBuffer(array.id(), 0, vertices.id(), 0, sizeof(CutoutVertex));
+  return array;
+}
+
+/// `before`, then the pass's main() under another name, then `after`.
+std::string around_main(const std::string& before, const std::string& after) {
+  return before + "#define main() main_of_pass(); void main() { main_of_pass(); " + after +
+         " } void main_of_pass()\n";
+}
+
+}  // namespace
+
+CutoutBuffers::CutoutBuffers(const Scene& scene)
+    : words_(Buffer::of(std::span<const uint32_t>(make_words(scene)))),
+      vertices_(Buffer::of(std::span<const CutoutVertex>(make_vertices(scene)))),
+      array_(make_array(vertices_)),
+      vertex_count_(static_cast<GLsizei>(3 * scene.cutouts.size())) {}
+
+void CutoutBuffers::bind_storage() const {
+  bind_storage_buffer(kCutoutsBinding, words_);
+}
+
+void CutoutBuffers::draw() const {
+  bind_storage();
+  glBindVertexArray(array_.id());
+  glDrawArrays(GL_TRIANGLES, 0, vertex_count_);
+}
+
+std::string cutout_vertex_prelude() {
+  return around_main(
+      "layout(location = 1) in vec2 cutout_uv_of_vertex;\n"
+      "layout(location = 2) in uint cutout_mask_of_vertex;\n"
+      "out vec2 cutout_uv;\nflat out uint cutout_mask;\n",
+      "cutout_uv = cutout_uv_of_vertex; cutout_mask = cutout_mask_of_vertex;");
+}
+
+std::string cutout_fragment_prelude() {
+  return around_main("#include \"cutout.glsl\"\nin vec2 cutout_uv;\nflat in uint cutout_mask;\n",
+                     "if (is_hole(cutout_mask, cutout_uv)) discard;");
+}
+
+}  // namespace umbrameter

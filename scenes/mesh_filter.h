@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// Which faces of a mesh file to keep.
+
+#include <string>
+#include <vector>
+
+namespace umbrameter {
+
+/// By the names of materials, groups, objects, nodes or meshes. Empty `include` keeps all.
+struct MeshFilter {
+  std::vector<std::string> include;
+  std::vector<std::string> exclude;
+};
+
+}  // namespace umbrameter
