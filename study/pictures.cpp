@@ -26,6 +26,7 @@ constexpr std::array<FaultLegend, kFaultClasses> kFaultLegend{{
     {FaultClass::extra_shadow, {0, 0, 0}, "extra shadow"},
     {FaultClass::penumbra, {240, 228, 66}, "penumbra: too soft or too hard"},
     {FaultClass::overlap, {150, 150, 20}, "overlap: wrong where penumbrae overlap"},
+    {FaultClass::penumbra_too_wide, {180, 205, 60}, "penumbra too wide: an edge blurred beyond the light's size"},
     {FaultClass::resolution, {125, 75, 30}, "resolution: edges as coarse as a texel"},
     {FaultClass::peter_panning, {240, 140, 0}, "peter panning: light where objects touch"},
     {FaultClass::bleed, {86, 180, 233}, "bleed: dim light behind several blockers"},
