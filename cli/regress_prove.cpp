@@ -24,7 +24,8 @@ std::vector<std::string> fault_scenes(const SceneSearch& search) {
   std::vector<std::string> names;
   const std::vector<FaultCase> faults = fault_list();
   for (const SceneEntry& entry : list_scenes(search)) {
-    if (entry.missing_assets.empty() && std::ranges::find(faults, entry.name, &FaultCase::scene) != faults.end())
+    if (entry.missing_assets.empty() &&
+        std::ranges::find(faults, entry.name, &FaultCase::scene) != faults.end())
       names.push_back(entry.name);
   }
   return names;

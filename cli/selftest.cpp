@@ -91,7 +91,8 @@ void add_selftest(CLI::App& app, CommandLine& line) {
   verb->add_option("--width", options->round.width_px,
                    "of the pictures in px; what is given as right was seen at 320 x 180")
       ->check(CLI::Range(64, 4096));
-  verb->add_option("--height", options->round.height_px, "of the pictures in px")->check(CLI::Range(64, 4096));
+  verb->add_option("--height", options->round.height_px, "of the pictures in px")
+      ->check(CLI::Range(64, 4096));
   verb->callback(
       [options, &line] { line.verb = [options, &line] { return selftest(*options, line.global); }; });
 }

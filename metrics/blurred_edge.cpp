@@ -11,11 +11,11 @@ namespace umbrameter {
 
 namespace {
 
-constexpr float kRise = 0.1f;                    // as for standing alone
-constexpr float kDarkest = 0.1f;                 // at the true edge; a shadow that only moved is full or gone there
-constexpr float kSurestDark = 0.25f;             // where the far side cannot be seen
-constexpr int kBehind = 2;                       // times the way to the edge, to look for the other error
-constexpr int kLongestPx = 256;                  // of a way
+constexpr float kRise = 0.1f;         // as for standing alone
+constexpr float kDarkest = 0.1f;      // at the true edge; a shadow that only moved is full or gone there
+constexpr float kSurestDark = 0.25f;  // where the far side cannot be seen
+constexpr int kBehind = 2;            // times the way to the edge, to look for the other error
+constexpr int kLongestPx = 256;       // of a way
 constexpr double kProbe_px = 3.0;
 constexpr double kHopeless = 0.85;  // left by the probe: of a blur below 1.6 or above 20 px
 constexpr double kSigmasReach = 3.0;
@@ -39,7 +39,8 @@ struct Way {
   /// Pixel after `step` steps; absent outside the picture.
   std::optional<size_t> at(int step) const {
     const double t = static_cast<double>(step) / steps;
-    const int to_x = x + static_cast<int>(std::lround(t * dx)), to_y = y + static_cast<int>(std::lround(t * dy));
+    const int to_x = x + static_cast<int>(std::lround(t * dx)),
+              to_y = y + static_cast<int>(std::lround(t * dy));
     if (to_x < 0 || to_x >= width || to_y < 0 || to_y >= height) return std::nullopt;
     return static_cast<size_t>(to_y) * static_cast<size_t>(width) + static_cast<size_t>(to_x);
   }

@@ -70,9 +70,11 @@ struct Evidence {
 
 /// What signs look around for.
 struct Surroundings {
-  std::vector<int32_t> nearest_edge;  // scored pixel with .2 < R < .8 or beside one on the other side of .5; -1 without any
+  std::vector<int32_t>
+      nearest_edge;  // scored pixel with .2 < R < .8 or beside one on the other side of .5; -1 without any
   std::vector<int32_t> nearest_thin;  // pixel of a shadow thinner than a texel; empty without any
-  std::vector<float> blurred_truth;   // metrics/blurred_edge.h; empty when the picture is not blurred as a whole
+  std::vector<float>
+      blurred_truth;  // metrics/blurred_edge.h; empty when the picture is not blurred as a whole
 };
 
 /// [height][width] signs of the pixels where `residual` > 0; it is envelope.dark if `is_dark`, else

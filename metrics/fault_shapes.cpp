@@ -162,12 +162,11 @@ std::vector<uint8_t> lost_shapes(const FaultInput& input, std::span<const uint8_
       components_of(input, select(input, [&](size_t i) { return input.r[i] < 0.5f; }));
   std::vector<Shape> shapes = measure_overlap(components, input.r, input.v);
   if (!any_unmatched(input, shapes)) return {};
-  for_wrong_pixels(input, components, input.r, input.v, shapes,
-                   [&](Shape& shape, size_t i) {
-                     shape.contact += in_contact(input, i) ? 1 : 0;
-                     shape.terminator += at_terminator(input, i, false) ? 1 : 0;
-                     shape.thin += !thin.empty() && thin[i] != 0 ? 1 : 0;
-                   });
+  for_wrong_pixels(input, components, input.r, input.v, shapes, [&](Shape& shape, size_t i) {
+    shape.contact += in_contact(input, i) ? 1 : 0;
+    shape.terminator += at_terminator(input, i, false) ? 1 : 0;
+    shape.thin += !thin.empty() && thin[i] != 0 ? 1 : 0;
+  });
   return pixels_of(input, components, shapes, [&](const Shape& shape) {
     const Loss reason = shape.thin > 0                         ? Loss::thin
                         : 2 * shape.terminator > shape.wrong() ? Loss::terminator

@@ -16,8 +16,9 @@ namespace umbrameter {
 namespace {
 
 constexpr std::array<std::string_view, kFaultClasses> kNames = {
-    "unscored", "explained",  "acne",          "terminator", "extra_shadow",   "penumbra",
-    "overlap",  "penumbra_too_wide", "resolution", "peter_panning", "bleed",      "geometric_leak", "lost_shadow"};
+    "unscored",   "explained",         "acne",       "terminator",    "extra_shadow", "penumbra",
+    "overlap",    "penumbra_too_wide", "resolution", "peter_panning", "bleed",        "geometric_leak",
+    "lost_shadow"};
 
 FaultInput checked_input(const Image& test, const Image& reference, std::span<const uint8_t> mask,
                          std::span<const PenumbraProfile> profiles, const Envelope& envelope,
@@ -39,7 +40,8 @@ FaultInput checked_input(const Image& test, const Image& reference, std::span<co
   const std::span<const float> irradiance =
       has_light ? reference.plane("unshadowed_irradiance") : std::span<const float>();
   float largest = 0.0f;
-  for (size_t i = 0; i < irradiance.size(); ++i) largest = mask[i] != 0 ? std::max(largest, irradiance[i]) : largest;
+  for (size_t i = 0; i < irradiance.size(); ++i)
+    largest = mask[i] != 0 ? std::max(largest, irradiance[i]) : largest;
   return {test.plane("visibility"),
           reference.plane("visibility"),
           mask,

@@ -62,13 +62,13 @@ struct PenumbraProfile {
   double test_width_10_90_world = 0.0;
   double width_octaves = 0.0;        // log2(test / reference), at least log2(hardest_share)
   double width_10_90_octaves = 0.0;  // the same of those widths
-  double offset_world = 0.0;  // of the test's middle, positive towards the light: shadow too large
-  size_t ramp_px = 0;         // pixels where the reference is between .05 and .95
-  size_t ramp_levels = 0;     // distinct visibilities of the test there, told apart to 1/4096
+  double offset_world = 0.0;         // of the test's middle, positive towards the light: shadow too large
+  size_t ramp_px = 0;                // pixels where the reference is between .05 and .95
+  size_t ramp_levels = 0;            // distinct visibilities of the test there, told apart to 1/4096
   /// offset_world of profiles that are too narrow, too: an edge has a place without a width.
   std::optional<double> edge_offset_world;
-  bool has_ridge = true;   // the reference's visibility crosses .5
-  bool overlaps = false;   // it turns round before full light or full shadow
+  bool has_ridge = true;    // the reference's visibility crosses .5
+  bool overlaps = false;    // it turns round before full light or full shadow
   bool is_partial = false;  // accepted by a stretch without both plateaus
 };
 

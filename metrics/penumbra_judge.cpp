@@ -42,7 +42,8 @@ Curve curve_of(std::span<const float> values, const WalkedProfile& walked, size_
 }
 
 Curve reference_curve(const WalkedProfile& walked) {
-  return curve_of(walked.field.visibility, walked, walked.dark.reference_count, walked.bright.reference_count);
+  return curve_of(walked.field.visibility, walked, walked.dark.reference_count,
+                  walked.bright.reference_count);
 }
 
 Curve test_curve(const WalkedProfile& walked) {
@@ -57,8 +58,8 @@ double rms_of_fit(const Curve& curve) {
 }
 
 double rms_of_noise(const WalkedProfile& walked) {
-  const Curve noise =
-      curve_of(walked.field.visibility_se, walked, walked.dark.reference_count, walked.bright.reference_count);
+  const Curve noise = curve_of(walked.field.visibility_se, walked, walked.dark.reference_count,
+                               walked.bright.reference_count);
   double sum = 0.0;
   for (const double value : noise.value) sum += value * value;
   return std::sqrt(sum / static_cast<double>(noise.value.size()));
@@ -93,14 +94,16 @@ void set_reference(const Transition& reference, double span, double px_per_world
   profile.reference_width_px = profile.reference_width_world * px_per_world;
 }
 
-void set_test(const Transition& test, const Transition& reference, double span,
+// Edges lie where half the light is left; a stretch's middle may be at another level, half-way to it by the width.
+void set_test(const Transition& test, const Transition& reference, const Levels& levels,
               const PenumbraSettings& settings, PenumbraProfile& profile) {
+  const double span = levels.high - levels.low, to_half = 0.5 - 0.5 * (levels.low + levels.high);
   profile.test_width_world = test.width / span;
   profile.test_width_10_90_world = test.width_10_90 / span;
   profile.width_octaves = octaves(test.resolved_width, reference.resolved_width, settings.hardest_share);
   profile.width_10_90_octaves =
       octaves(test.resolved_width_10_90, reference.width_10_90, settings.hardest_share);
-  profile.offset_world = test.center - reference.center;
+  profile.offset_world = test.center - reference.center + to_half * (test.width - reference.width) / span;
 }
 
 void count_levels(const WalkedProfile& walked, PenumbraProfile& profile) {
@@ -128,7 +131,7 @@ ProfileOutcome judge_test(const WalkedProfile& walked, const Transition& referen
   if (rms_of_fit(test) > settings.max_test_rms) return ProfileOutcome::test_not_monotone;
   const auto transition = measure_transition(test.position, test.fitted);
   if (!transition) return ProfileOutcome::test_unreached;
-  set_test(*transition, reference, 1.0, settings, profile);
+  set_test(*transition, reference, {0.0, 1.0}, settings, profile);
   return ProfileOutcome::accepted;
 }
 
@@ -170,7 +173,7 @@ void judge_stretch(const WalkedProfile& walked, const PenumbraSettings& settings
   PenumbraProfile judged = profile;
   set_reference(*of_reference, levels.high - levels.low, px_per_world(walked, curve), judged);
   if (judged.reference_width_px < settings.min_width_px) return;
-  set_test(*of_test, *of_reference, levels.high - levels.low, settings, judged);
+  set_test(*of_test, *of_reference, levels, settings, judged);
   count_levels(walked, judged);
   judged.outcome = ProfileOutcome::accepted;
   judged.edge_offset_world = judged.offset_world;

@@ -125,10 +125,15 @@ class SideWatch {
   /// How far from this side's plateau a visibility is.
   double distance(double visibility) const { return towards_light_ ? 1.0 - visibility : visibility; }
 
-  bool turned(double visibility, double se) {
-    nearest_ = std::min(nearest_, distance(visibility));
+  bool turned(double visibility, double se, size_t samples) {
+    if (distance(visibility) < nearest_) {
+      nearest_ = distance(visibility);
+      samples_to_nearest_ = samples;
+    }
     return distance(visibility) > nearest_ + kTurn + 4.0 * se;
   }
+  /// Samples of the walk up to its extreme.
+  size_t samples_to_nearest() const { return samples_to_nearest_; }
   /// True from the kPlateauRun-th pixel in a row within `tolerance` of the plateau.
   static bool settled(double distance, double tolerance, size_t& run) {
     run = distance <= tolerance ? run + 1 : 0;
@@ -138,6 +143,7 @@ class SideWatch {
  private:
   bool towards_light_;
   double nearest_ = 1.0;
+  size_t samples_to_nearest_ = 0;
 };
 
 }  // namespace
@@ -203,8 +209,12 @@ Walk walk_profile(const ReferenceField& field, std::span<const float> test, size
       break;
     }
     const double visibility = field.visibility[*i], se = field.visibility_se[*i];
-    if (watch.turned(visibility, se)) {
-      if (!settled) walk.end = WalkEnd::turned;
+    if (watch.turned(visibility, se, walk.samples.size() + 1)) {
+      if (!settled) {
+        walk.end = WalkEnd::turned;
+        walk.samples.resize(std::min(walk.samples.size(), watch.samples_to_nearest()));
+        walk.test_count = std::min(walk.test_count, walk.samples.size());
+      }
       break;
     }
     walk.samples.push_back({*i, glm::dot(ascent.direction_world, field.surface.p_world(*i) - origin)});

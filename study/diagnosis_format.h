@@ -24,7 +24,8 @@ std::string format_faults(const std::optional<Diagnosis>& diagnosis);
 
 /// "+acne 0.0110": classes whose part grew against the baseline's by a tenth or more of the run's mean absolute error, the
 /// largest growth first; "nothing"; "n/a" when one has no diagnosis.
-std::string format_growth(const std::optional<Diagnosis>& diagnosis, const std::optional<Diagnosis>& baseline);
+std::string format_growth(const std::optional<Diagnosis>& diagnosis,
+                          const std::optional<Diagnosis>& baseline);
 
 /// Terms and their texts.
 using TermLines = std::vector<std::pair<std::string, std::string>>;

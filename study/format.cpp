@@ -60,8 +60,8 @@ std::string format_parity(const ParityNumbers& parity) {
       : is_other_light(parity)
           ? "FAILS, the same surfaces under another light, so no number of this scene counts"
           : "FAILS, other surfaces, so no number of this scene counts",
-      parity.coverage_mismatch,
-      parity.surface_mismatch, parity.irradiance_mismatch, parity.median_relative_depth_error);
+      parity.coverage_mismatch, parity.surface_mismatch, parity.irradiance_mismatch,
+      parity.median_relative_depth_error);
 }
 
 std::string format_skip(const Skip& skip) {

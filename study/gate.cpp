@@ -9,9 +9,10 @@ namespace umbrameter {
 namespace {
 
 constexpr std::array<std::string_view, kGateClasses> kNames = {
-    "failure",      "metric",     "truth",         "parity", "light", "acne",           "terminator",
-    "extra_shadow", "resolution", "peter_panning", "bleed",  "geometric_leak", "lost_shadow",
-    "softness",     "penumbra_too_wide", "hardening",  "offset",        "noise",  "banding",        "error"};
+    "failure",   "metric",         "truth",        "parity",     "light",
+    "acne",      "terminator",     "extra_shadow", "resolution", "peter_panning",
+    "bleed",     "geometric_leak", "lost_shadow",  "softness",   "penumbra_too_wide",
+    "hardening", "offset",         "noise",        "banding",    "error"};
 
 struct FaultPair {
   FaultClass fault;
@@ -145,8 +146,7 @@ bool is_too_wide(const GateRun& run, const GateRun* baseline) {
     return share(run) - (baseline != nullptr && baseline->diagnosis ? share(*baseline) : 0.0);
   };
   const double all = more([](const GateRun& r) { return *penumbra_share(r); });
-  const double wide =
-      more([](const GateRun& r) { return *fault_share(r, FaultClass::penumbra_too_wide); });
+  const double wide = more([](const GateRun& r) { return *fault_share(r, FaultClass::penumbra_too_wide); });
   return wide > 0.5 * all && wide > 0.0;
 }
 

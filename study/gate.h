@@ -30,10 +30,10 @@ enum class GateClass : uint8_t {
   bleed,
   geometric_leak,
   lost_shadow,
-  softness,   // penumbrae of the wrong width, or wrong in a way no width describes
+  softness,           // penumbrae of the wrong width, or wrong in a way no width describes
   penumbra_too_wide,  // the same, where most of what is wrong is softness beyond the true one
-  hardening,  // of the wrong width where they should widen or narrow
-  offset,     // edges in the wrong place
+  hardening,          // of the wrong width where they should widen or narrow
+  offset,             // edges in the wrong place
   noise,
   banding,
   error,  // far from the truth, and none of the above

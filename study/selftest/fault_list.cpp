@@ -168,7 +168,11 @@ std::vector<FaultCase> faults_of_references() {
       {"light faces another way", kOrigin, "plate", {light}, against_truth([](Stage& stage) {
          return stage.truth_of(with_light_turned(stage.scene(), 0.6), stage.seed());
        })},
-      {"light of half the size", kOrigin, "half_plane", {penumbra_too_wide}, against_shadows_of(light_scaled(0.5))},
+      {"light of half the size",
+       kOrigin,
+       "half_plane",
+       {penumbra_too_wide},
+       against_shadows_of(light_scaled(0.5))},
       {"only the light's centre", kOrigin, "plate", {truth}, against_shadows_of(light_scaled(1e-4))},
       {"one seed for both halves", kOrigin, "half_plane", {truth}, against_truth(one_seed_for_both_halves)},
       {"culls casters' lit faces",
@@ -196,9 +200,8 @@ std::string_view name_of(FaultOrigin origin) {
 
 std::vector<FaultCase> fault_list() {
   std::vector<FaultCase> all;
-  for (std::vector<FaultCase> part :
-       {faults_of_techniques(), faults_of_images(), faults_of_references(), faults_of_metrics(),
-        faults_at_contacts(), faults_of_models()}) {
+  for (std::vector<FaultCase> part : {faults_of_techniques(), faults_of_images(), faults_of_references(),
+                                      faults_of_metrics(), faults_at_contacts(), faults_of_models()}) {
     all.insert(all.end(), part.begin(), part.end());
   }
   return all;

@@ -12,17 +12,26 @@ constexpr auto kTechnique = FaultOrigin::technique;
 constexpr auto kImage = FaultOrigin::image;
 
 FaultCase filter_too_wide(const std::string& scene) {
-  return {"filter four times too wide", kTechnique, scene, {penumbra_too_wide},
+  return {"filter four times too wide",
+          kTechnique,
+          scene,
+          {penumbra_too_wide},
           changed(fixed_filter(), {{"radius_texels", 32.0}})};
 }
 
 FaultCase variance_too_wide(const std::string& scene) {
-  return {"variance filter five times too wide", kTechnique, scene, {penumbra_too_wide},
+  return {"variance filter five times too wide",
+          kTechnique,
+          scene,
+          {penumbra_too_wide},
           changed(variance_shadows(), {{"filter_width_texels", 45.0}})};
 }
 
 FaultCase light_twice(const std::string& scene) {
-  return {"light twice too large", kTechnique, scene, {penumbra_too_wide},
+  return {"light twice too large",
+          kTechnique,
+          scene,
+          {penumbra_too_wide},
           of_scene(soft_shadows(), light_scaled(2.0))};
 }
 
@@ -35,21 +44,31 @@ FaultCase picture_blurred(const std::string& scene) {
 }
 
 FaultCase map_too_coarse(const std::string& scene, int64_t map_size = 128) {
-  return {"map too coarse", kTechnique, scene, {resolution}, changed(soft_shadows(), {{"map_size", map_size}})};
+  return {
+      "map too coarse", kTechnique, scene, {resolution}, changed(soft_shadows(), {{"map_size", map_size}})};
 }
 
 FaultCase caster_below_a_texel(const std::string& scene, int64_t map_size) {
-  return {"caster thinner than a texel", kTechnique, scene, {resolution},
+  return {"caster thinner than a texel",
+          kTechnique,
+          scene,
+          {resolution},
           changed(choice("hard"), {{"map_size", map_size}})};
 }
 
 FaultCase bias_gone(const std::string& scene) {
-  return {"bias x 0", kTechnique, scene, {acne},
+  return {"bias x 0",
+          kTechnique,
+          scene,
+          {acne},
           changed(biased_shadows(), {{"bias_texels", 0.0}, {"normal_offset_texels", 0.0}})};
 }
 
 FaultCase bias_too_large(const std::string& scene, double bias_texels) {
-  return {"bias too large", kTechnique, scene, {peter_panning},
+  return {"bias too large",
+          kTechnique,
+          scene,
+          {peter_panning},
           changed(biased_shadows(), {{"bias_texels", bias_texels}})};
 }
 
@@ -74,12 +93,14 @@ FaultCase striped(const std::string& scene) {
 }
 
 FaultCase few_taps(const std::string& scene) {
-  return {"few taps, noise", kTechnique, scene, {noise}, changed(soft_shadows(), {{"filter_taps", int64_t{4}}})};
+  return {
+      "few taps, noise", kTechnique, scene, {noise}, changed(soft_shadows(), {{"filter_taps", int64_t{4}}})};
 }
 
 FaultCase other_light(const std::string& scene) {
-  return {"lit from elsewhere", FaultOrigin::reference, scene, {light},
-          against_truth([](Stage& stage) { return stage.truth_of(with_light_moved(stage.scene(), 0.3), stage.seed()); })};
+  return {"lit from elsewhere", FaultOrigin::reference, scene, {light}, against_truth([](Stage& stage) {
+            return stage.truth_of(with_light_moved(stage.scene(), 0.3), stage.seed());
+          })};
 }
 
 }  // namespace

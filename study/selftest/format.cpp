@@ -49,7 +49,8 @@ void for_each_measured(const Visit& visit) {
 
 std::string fault_row(const FaultOutcome& fault) {
   std::string row = fmt::format("| {} | {} | {} |", fault.name, name_of(fault.origin), fault.scene);
-  for_each_measured([&](GateClass kind) { row += fmt::format(" {} |", cell(severity_of(fault.verdict, kind))); });
+  for_each_measured(
+      [&](GateClass kind) { row += fmt::format(" {} |", cell(severity_of(fault.verdict, kind))); });
   const char* mark = fault.is_right() ? "" : fault.is_found() ? " (wrong)" : " (missed)";
   return row + fmt::format(" {}{} |\n", kind_text(fault.verdict), mark);
 }
@@ -93,7 +94,8 @@ std::string by_scene(const std::vector<Outcome>& outcomes, const TextOf& text_of
 template <class Outcome>
 std::vector<Outcome> in_round(const std::vector<Outcome>& outcomes, const SelftestRound& round) {
   std::vector<Outcome> some;
-  std::ranges::copy_if(outcomes, std::back_inserter(some), [&](const Outcome& o) { return o.round == round; });
+  std::ranges::copy_if(outcomes, std::back_inserter(some),
+                       [&](const Outcome& o) { return o.round == round; });
   return some;
 }
 
@@ -129,7 +131,8 @@ std::string mask_table(const SelftestResults& results) {
 
 // What one scene says alone; the target is of all together.
 std::string recall_by_scene(const SelftestResults& results, const SelftestRound& round) {
-  return by_scene(in_round(results.masks, round), [](const MaskOutcome& mask) { return ratio_text(mask.recall()); });
+  return by_scene(in_round(results.masks, round),
+                  [](const MaskOutcome& mask) { return ratio_text(mask.recall()); });
 }
 
 OrderedJson verdict_json(const GateVerdict& verdict) {
@@ -162,10 +165,11 @@ std::string selftest_markdown(const SelftestResults& results) {
     text += fmt::format("nearest benign trial: {} of {} ({}), {:.2f} of its limit\n", nearest->name,
                         nearest->scene, text_of(nearest->round), worst_severity(nearest->verdict));
   }
-  return text + fmt::format("found {} of {} faults, {} of the right class; {} false alarms in {} trials over {} "
-                            "scenes: {}\n",
-                            results.found(), results.faults.size(), results.right(), results.false_alarms(),
-                            results.benign.size(), results.scenes, results.passes() ? "passes" : "fails");
+  return text + fmt::format(
+                    "found {} of {} faults, {} of the right class; {} false alarms in {} trials over {} "
+                    "scenes: {}\n",
+                    results.found(), results.faults.size(), results.right(), results.false_alarms(),
+                    results.benign.size(), results.scenes, results.passes() ? "passes" : "fails");
 }
 
 std::string selftest_json(const SelftestResults& results) {

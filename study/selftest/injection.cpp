@@ -214,7 +214,8 @@ Injected terminator_cured(const Canvas& canvas) {
       canvas,
       [&](size_t i) {
         return reader.bent(i) && irradiance[i] < kGrazing * largest &&
-               (reader.layers[i] == 0.0f || reader.blocker[i] < kGap_px * pixel_extent_world(reader.surface, i));
+               (reader.layers[i] == 0.0f ||
+                reader.blocker[i] < kGap_px * pixel_extent_world(reader.surface, i));
       },
       full_light);
 }

@@ -108,8 +108,8 @@ size_t SelftestResults::false_alarms() const {
 }
 
 const BenignOutcome* SelftestResults::nearest_benign() const {
-  const auto nearest = std::ranges::max_element(
-      benign, {}, [](const BenignOutcome& o) { return worst_severity(o.verdict); });
+  const auto nearest =
+      std::ranges::max_element(benign, {}, [](const BenignOutcome& o) { return worst_severity(o.verdict); });
   return nearest == benign.end() ? nullptr : &*nearest;
 }
 

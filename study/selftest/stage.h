@@ -57,8 +57,8 @@ Examined examine(const Image& picture, const Image& truth, const glm::dvec3& eye
 
 class Stage {
  public:
-  Stage(SceneJob job, const SelftestSettings& settings, const SelftestRound& round, SelftestRenderers renderers,
-        Progress& progress);
+  Stage(SceneJob job, const SelftestSettings& settings, const SelftestRound& round,
+        SelftestRenderers renderers, Progress& progress);
 
   const std::string& name() const { return job_.name; }
   const Scene& scene() const { return job_.scene; }

@@ -16,9 +16,8 @@ TechniqueChoice soft_shadows() {
 }
 
 TechniqueChoice biased_shadows() {
-  return with(soft_shadows(), {{"receiver_plane", std::string("none")},
-                               {"bias_texels", 1.0},
-                               {"normal_offset_texels", 1.0}});
+  return with(soft_shadows(),
+              {{"receiver_plane", std::string("none")}, {"bias_texels", 1.0}, {"normal_offset_texels", 1.0}});
 }
 
 TechniqueChoice fixed_filter() {

@@ -48,8 +48,8 @@ Image truth_of(const Scene& scene, int width_px, int height_px) {
   return make_reference_renderer({256, {}, 0})->render(scene, request, silent).image;
 }
 
-Diagnosed diagnosed(const Scene& scene, const std::string& technique, const ParameterValues& parameters, int width_px,
-                    int height_px) {
+Diagnosed diagnosed(const Scene& scene, const std::string& technique, const ParameterValues& parameters,
+                    int width_px, int height_px) {
   const Image test = render(scene, technique, parameters, 1, width_px, height_px).image;
   const Image truth = truth_of(scene, width_px, height_px);
   const double eye_world[3] = {scene.camera.eye_world.x, scene.camera.eye_world.y, scene.camera.eye_world.z};
@@ -90,8 +90,8 @@ TEST(Diagnosis, AnEvenNumberOfTapsMovesNoEdge) {
   for (const int64_t taps : {8, 16, 17}) {
     const Diagnosed soft = diagnosed(
         library("half_plane"), "pcss",
-        {{"map_size", int64_t{4096}}, {"search_taps", int64_t{256}}, {"filter_taps", taps}, {"noise", false}}, 480,
-        270);
+        {{"map_size", int64_t{4096}}, {"search_taps", int64_t{256}}, {"filter_taps", taps}, {"noise", false}},
+        480, 270);
     ASSERT_TRUE(soft.penumbra.offset_world) << taps;
     EXPECT_NEAR(soft.penumbra.offset_world->median, 0.0, 0.005) << taps;
   }
@@ -100,9 +100,9 @@ TEST(Diagnosis, AnEvenNumberOfTapsMovesNoEdge) {
 TEST(Diagnosis, HardeningIsIdentifiableOnTenLibraryScenes) {
   UMBRAMETER_REQUIRE_GL();
   size_t identifiable = 0;
-  for (const char* name : {"box_contact", "colonnade", "comb", "contact_hardening", "disk_occluder", "empty_plane",
-                           "fence", "half_plane", "half_plane_disk", "plate", "slanted_plane", "sphere_terminator",
-                           "stacked_plates", "wire"}) {
+  for (const char* name : {"box_contact", "colonnade", "comb", "contact_hardening", "disk_occluder",
+                           "empty_plane", "fence", "half_plane", "half_plane_disk", "plate", "slanted_plane",
+                           "sphere_terminator", "stacked_plates", "wire"}) {
     const bool has = diagnosed(library(name), "pcss", {}, 320, 180).hardening.slope.has_value();
     identifiable += has ? 1 : 0;
     if (std::string(name) == "contact_hardening") {

@@ -104,19 +104,21 @@ TEST(PenumbraTooWide, APictureBlurredAsAWholeAcrossOutlines) {
         float sum = 0.0f;
         for (int dy = -4; dy <= 4; ++dy) {
           for (int dx = -4; dx <= 4; ++dx) {
-            const int at_x = std::clamp(x + dx, 0, kFloorWidth - 1), at_y = std::clamp(y + dy, 0, kFloorHeight - 1);
+            const int at_x = std::clamp(x + dx, 0, kFloorWidth - 1),
+                      at_y = std::clamp(y + dy, 0, kFloorHeight - 1);
             sum += v[static_cast<size_t>(at_y * kFloorWidth + at_x)];
           }
         }
-        test.plane("visibility")[static_cast<size_t>(y * kFloorWidth + x)] = std::clamp(sum / 81.0f, 0.0f, 1.0f);
+        test.plane("visibility")[static_cast<size_t>(y * kFloorWidth + x)] =
+            std::clamp(sum / 81.0f, 0.0f, 1.0f);
       }
     }
   }
   const Faults faults = classify_floor(test, reference);
   EXPECT_GT(faults.of(FaultClass::penumbra_too_wide).mean_abs_error, 0.5 * *faults.mean_abs_error);
   EXPECT_LT(pixels_but(faults, FaultClass::penumbra_too_wide), 40u);
-  EXPECT_TRUE(blurred_as_picture(half_plane(0.01, 0.5).plane("visibility"), reference.plane("visibility"), all,
-                                 kFloorWidth, kFloorHeight)
+  EXPECT_TRUE(blurred_as_picture(half_plane(0.01, 0.5).plane("visibility"), reference.plane("visibility"),
+                                 all, kFloorWidth, kFloorHeight)
                   .empty());
 }
 

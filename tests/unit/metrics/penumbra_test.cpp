@@ -142,18 +142,16 @@ TEST(Penumbra, QuantisedEdgesLieInTheMiddleOfTheirPlateaus) {
   const Image surface = floor_from_above(256, 32, 0.01);
   const Image reference = lit_floor(surface, edge(1.28, 0.16, 0.0, 1.0));
   for (const int taps : {4, 8, 16, 17}) {
-    const Image test = lit_floor(surface, [&](double x, double) {
-      return std::floor(box_ramp(x - 1.28, 1.0) * taps + 0.5) / taps;
-    });
+    const Image test = lit_floor(
+        surface, [&](double x, double) { return std::floor(box_ramp(x - 1.28, 1.0) * taps + 0.5) / taps; });
     EXPECT_NEAR(measure(test, reference).offset_world->median, 0.0, 0.005) << taps;
   }
 }
 
 // Light between two shadows, 20 apart, each with a penumbra of `width`: of 40 it peaks at .75.
 testing::FloorField overlap(double width) {
-  return [=](double x, double) {
-    return x < 110.0 ? box_ramp(x - 100.0, width) : box_ramp(120.0 - x, width);
-  };
+  return
+      [=](double x, double) { return x < 110.0 ? box_ramp(x - 100.0, width) : box_ramp(120.0 - x, width); };
 }
 
 TEST(Penumbra, AnOverlapTellsItsWidthByTheStretchThatThereIs) {
@@ -217,8 +215,10 @@ TEST(Penumbra, ASurfaceThatEndsInThePenumbraIsADiscontinuity) {
   }
   const Image reference = lit_floor(surface, edge(60.0, 16.0, 0.0, 40.0));
   const PenumbraError error = measure(reference, reference);
-  EXPECT_EQ(count(error, ProfileOutcome::accepted), 0u);
   EXPECT_GT(count(error, ProfileOutcome::discontinuity), 2u);
+  // The flank up to x = 55 is enough of one.
+  EXPECT_EQ(error.partial, count(error, ProfileOutcome::accepted));
+  for (const double width : reference_widths(error)) EXPECT_NEAR(width, 40.0, 2.0);
 }
 
 TEST(Penumbra, ASurfaceThatEndsInThePenumbraTellsItsWidthByWhatIsLeft) {
@@ -248,7 +248,7 @@ TEST(Penumbra, CountsWhatItCannotMeasure) {
   EXPECT_GT(count(measure(narrow, narrow), ProfileOutcome::too_narrow), 2u);
 
   const Image thin = lit_floor(
-      surface, [](double x, double) { return 0.6 + 0.4 * std::min(1.0, std::abs(x - 64.0) / 20.0); });
+      surface, [](double x, double) { return 0.7 + 0.3 * std::min(1.0, std::abs(x - 64.0) / 20.0); });
   EXPECT_GT(count(measure(thin, thin), ProfileOutcome::no_ridge), 2u);
 
   const Image reference = lit_floor(surface, edge(64.0, 16.0, 0.0, 20.0));

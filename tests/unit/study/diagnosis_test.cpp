@@ -113,7 +113,8 @@ TEST(Faults, EveryClassAboveATenthOfTheErrorIsNamed) {
                                           {FaultClass::penumbra_too_wide, 0.03},
                                           {FaultClass::bleed, 0.008}});
   EXPECT_EQ(format_faults(diagnosis), "penumbra too wide 0.03000, acne 0.01200");
-  EXPECT_EQ(format_faults(with_parts({{FaultClass::explained, 1.0}, {FaultClass::acne, 0.01}})), "acne 0.01000");
+  EXPECT_EQ(format_faults(with_parts({{FaultClass::explained, 1.0}, {FaultClass::acne, 0.01}})),
+            "acne 0.01000");
   EXPECT_EQ(format_faults(with_parts({{FaultClass::explained, 1.0}})), "none");
   EXPECT_EQ(format_faults(std::nullopt), "n/a");
 }
