@@ -19,11 +19,14 @@ namespace {
 constexpr int kProofSamples = 256;
 constexpr double kProofTarget = 0.95;  // of the faults named
 
-/// The scenes that the faults are in.
-std::vector<std::string> fault_scenes() {
+/// The scenes that the faults are in, but for those whose models are missing.
+std::vector<std::string> fault_scenes(const SceneSearch& search) {
   std::vector<std::string> names;
-  for (const FaultCase& fault : fault_list()) {
-    if (std::ranges::find(names, fault.scene) == names.end()) names.push_back(fault.scene);
+  const std::vector<FaultCase> faults = fault_list();
+  for (const SceneEntry& entry : list_scenes(search)) {
+    if (entry.missing_assets.empty() &&
+        std::ranges::find(faults, entry.name, &FaultCase::scene) != faults.end())
+      names.push_back(entry.name);
   }
   return names;
 }
@@ -33,7 +36,7 @@ std::vector<std::string> fault_scenes() {
 int prove_regress(const std::vector<std::string>& scenes, const GlobalOptions& global) {
   const Home home = find_home();
   std::vector<SceneJob> jobs;
-  for (const std::string& name : scenes.empty() ? fault_scenes() : scenes)
+  for (const std::string& name : scenes.empty() ? fault_scenes(scene_search(global, home)) : scenes)
     jobs.push_back(load_scene_job(name, scene_search(global, home)));
   const Staging staging(std::filesystem::temp_directory_path());
   const auto realtime = open_realtime_renderer(global, home);

@@ -16,11 +16,13 @@ namespace umbrameter {
 namespace {
 
 constexpr int kSamplesPerPixel = 256;
+/// A size and samples that limits and rules were not made with.
+constexpr SelftestRound kHeldOut{400, 225, 7};
 
 struct SelftestOptions {
   std::vector<std::string> scenes;
-  int width_px = SelftestSettings{}.width_px;
-  int height_px = SelftestSettings{}.height_px;
+  SelftestRound round;
+  bool all = false;
   bool benign_only = false;
   bool with_assets = false;
 };
@@ -48,7 +50,7 @@ int selftest(const SelftestOptions& options, const GlobalOptions& global) {
   const SceneSearch search = scene_search(global, home);
   std::vector<SceneJob> jobs;
   for (const std::string& name :
-       options.scenes.empty() ? library_scenes(search, options.with_assets) : options.scenes) {
+       options.scenes.empty() ? library_scenes(search, options.with_assets || options.all) : options.scenes) {
     for (SceneJob& job : load_scene_jobs(name, search)) jobs.push_back(std::move(job));
   }
   const Staging staging(std::filesystem::temp_directory_path());
@@ -56,8 +58,8 @@ int selftest(const SelftestOptions& options, const GlobalOptions& global) {
   const auto reference = make_reference_renderer({kSamplesPerPixel, {}, global.threads});
   const auto other = make_reference_renderer({kSamplesPerPixel, {}, other_threads(global.threads)});
   SelftestSettings settings;
-  settings.width_px = options.width_px;
-  settings.height_px = options.height_px;
+  settings.rounds = {options.round};
+  if (options.all) settings.rounds.push_back(kHeldOut);
   settings.benign_only = options.benign_only;
   settings.techniques_folder = home.techniques;
   settings.shaders_folder = home.shaders;
@@ -82,11 +84,15 @@ void add_selftest(CLI::App& app, CommandLine& line) {
   verb->add_option("--scene", options->scenes, "only this scene and its faults; repeatable")
       ->allow_extra_args(false);
   verb->add_flag("--benign", options->benign_only, "only the changes that are no faults, and the masks");
+  verb->add_flag("--all", options->all,
+                 "the whole: scenes of real models, and everything once more at a held-out size and seed");
+  verb->add_option("--seed", options->round.seed, "of the samples");
   verb->add_flag("--assets-too", options->with_assets, "also the scenes of real models");
-  verb->add_option("--width", options->width_px,
+  verb->add_option("--width", options->round.width_px,
                    "of the pictures in px; what is given as right was seen at 320 x 180")
       ->check(CLI::Range(64, 4096));
-  verb->add_option("--height", options->height_px, "of the pictures in px")->check(CLI::Range(64, 4096));
+  verb->add_option("--height", options->round.height_px, "of the pictures in px")
+      ->check(CLI::Range(64, 4096));
   verb->callback(
       [options, &line] { line.verb = [options, &line] { return selftest(*options, line.global); }; });
 }

@@ -259,7 +259,7 @@ void add_validate(CLI::App& app, CommandLine& line) {
                    "a file that 'tune' wrote: its technique with its values; repeatable")
       ->allow_extra_args(false);
   verb->add_option("--baseline", options->baseline,
-                   "label of the technique that verdicts compare with (default: the first)");
+                   "label of the technique that verdicts compare with (default: hard, else the first)");
   verb->add_option("--limit", options->limit_rmse,
                    "RMSE that techniques must keep; exit code 1 when one does not")
       ->check(CLI::PositiveNumber);

@@ -14,6 +14,14 @@
 namespace umbrameter {
 namespace {
 
+/// What grew against the run's baseline; empty for the baseline itself.
+std::string growth_cell(const SceneResult& scene, const TechniqueResult& run) {
+  if (!run.judgement.verdict) return "";
+  const auto baseline =
+      std::ranges::find(scene.techniques, run.judgement.verdict->baseline, &TechniqueResult::label);
+  return baseline == scene.techniques.end() ? "" : format_growth(run.diagnosis, baseline->diagnosis);
+}
+
 std::string verdict_cell(const SceneResult& scene, const TechniqueResult& run) {
   const bool is_baseline = std::ranges::any_of(scene.techniques, [&](const TechniqueResult& other) {
     return other.judgement.verdict && other.judgement.verdict->baseline == run.label;
@@ -27,7 +35,7 @@ std::vector<std::string> row(const SceneResult& scene, const TechniqueResult& ru
   const std::string memory = run.memory_bytes > 0 ? format_bytes(run.memory_bytes) : kNotApplicable;
   if (!run.error) {
     const char* reason = run.failure ? "failed" : scene.parity ? "void" : "not compared";
-    return {scene.name, run.label, reason, "", "", "", "", "", "", time, memory};
+    return {scene.name, run.label, reason, "", "", "", "", "", "", "", time, memory};
   }
   const VisibilityError& error = *run.error;
   return {scene.name,
@@ -37,8 +45,9 @@ std::vector<std::string> row(const SceneResult& scene, const TechniqueResult& ru
           format_error(error.over_shadowing),
           format_error(error.under_shadowing),
           format_error(region_rmse(error.penumbra)),
-          format_worst_fault(run.diagnosis),
+          format_faults(run.diagnosis),
           verdict_cell(scene, run),
+          growth_cell(scene, run),
           time,
           memory};
 }
@@ -48,8 +57,8 @@ std::string table(const Results& results) {
   for (const SceneResult& scene : results.scenes) {
     for (const TechniqueResult& run : scene.techniques) rows.push_back(row(scene, run));
   }
-  return format_table({"scene", "technique", "RMSE [95 %]", "mean", "over", "under", "penumbra",
-                       "worst fault", "verdict", "time", "memory"},
+  return format_table({"scene", "technique", "RMSE [95 %]", "mean", "over", "under", "penumbra", "faults",
+                       "verdict", "grew", "time", "memory"},
                       rows);
 }
 

@@ -12,7 +12,10 @@ namespace {
 
 constexpr size_t kFewest = 8;
 constexpr size_t kMost = 512;
-constexpr double kFewestOctaves = 2.0;
+constexpr double kFewestOctaves = 1.0;
+constexpr double kEnoughOctaves = 2.0;
+constexpr double kLargestSe = 0.05;         // of a slope over fewer octaves than enough
+constexpr double kSigmaPerMedian = 1.4826;  // of a normal distribution's |x|
 constexpr double kPairOctaves = 0.5;
 
 struct Point {
@@ -35,6 +38,19 @@ std::vector<Point> evenly_picked(const std::vector<Point>& points) {
   std::vector<Point> picked;
   for (size_t k = 0; k < kMost; ++k) picked.push_back(points[k * (points.size() - 1) / (kMost - 1)]);
   return picked;
+}
+
+// Of a line's slope: the residuals' spread over that of the abscissae, which the median keeps from wild profiles.
+double slope_se(const std::vector<Point>& points, double slope, double intercept) {
+  const double n = static_cast<double>(points.size());
+  double mean = 0.0, variance = 0.0;
+  for (const Point& point : points) mean += point.reference_octaves / n;
+  std::vector<double> residuals;
+  for (const Point& point : points) {
+    variance += (point.reference_octaves - mean) * (point.reference_octaves - mean) / n;
+    residuals.push_back(std::abs(point.test_octaves - intercept - slope * point.reference_octaves));
+  }
+  return kSigmaPerMedian * median(std::move(residuals)) / std::sqrt(variance * n);
 }
 
 }  // namespace
@@ -62,8 +78,12 @@ ContactHardening measure_contact_hardening(const PenumbraError& penumbra) {
   for (const Point& point : points) {
     excess.push_back(point.test_octaves - middle - slope * (point.reference_octaves - middle));
   }
+  const double at_middle = median(excess);
+  const bool is_enough = out.octaves >= kEnoughOctaves ||
+                         slope_se(points, slope, middle + at_middle - slope * middle) <= kLargestSe;
+  if (!is_enough) return out;
   out.slope = slope;
-  out.intercept_octaves = median(excess);
+  out.intercept_octaves = at_middle;
   return out;
 }
 

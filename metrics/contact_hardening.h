@@ -15,7 +15,8 @@ namespace umbrameter {
 struct ContactHardening {
   size_t profiles = 0;
   double octaves = 0.0;  // between the 5 % and 95 % quantiles of the reference's widths
-  /// Absent, "not identifiable", when the widths span less than 2 octaves or there are fewer than 8 profiles.
+  /// Absent, "not identifiable", when the widths span less than 1 octave, or less than 2 with a slope whose standard error
+  /// is above .05, or when there are fewer than 8 profiles.
   std::optional<double> slope;
   std::optional<double> intercept_octaves;  // at the median reference width: the test's excess there
 };

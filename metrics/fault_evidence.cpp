@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "metrics/fault_evidence.h"
 
+#include "metrics/blurred_edge.h"
 #include "metrics/nearest_feature.h"
 #include "metrics/standing_alone.h"
 #include "metrics/tiles.h"
@@ -22,6 +23,10 @@ constexpr double kWidestContact = 3.0;        // px; below, a penumbra has no so
 constexpr double kReachWidths = 2.0;          // from one width outside to the far end of the penumbra
 constexpr double kEdgeTexels = 1.5;           // half a texel of sampling, one of its neighbour
 constexpr double kLargestFootprintPx = 16.0;  // beyond, most of a picture lies beside some edge
+constexpr double kBlurShare = 0.5;            // of a pixel's error that a blur of the whole picture may leave
+// Facets of a smooth mesh shadow each other where the light grazes them; a technique that smooths that away is too bright.
+constexpr double kSmoothMeshDeg = 1.0;
+constexpr float kGrazing = 0.35f;  // of the largest irradiance
 // Of 16 probe rays all miss a blocker of a fifth of the light in 3 % of the pixels.
 constexpr float kHorizonVisibility = 0.8f;
 
@@ -29,10 +34,23 @@ constexpr Signs bit(Sign sign) {
   return static_cast<Signs>(1u << static_cast<unsigned>(sign));
 }
 
-bool normals_disagree(const FaultInput& input, size_t i, double cosine_limit) {
+bool normals_disagree(const FaultInput& input, size_t i, double degrees) {
   const glm::dvec3 shading = {input.shading_normal[0][i], input.shading_normal[1][i],
                               input.shading_normal[2][i]};
-  return glm::dot(shading, input.surface.n_world(i)) < cosine_limit;
+  return glm::dot(shading, input.surface.n_world(i)) < std::cos(degrees * std::numbers::pi / 180.0);
+}
+
+bool touches(const FaultInput& input, size_t i) {
+  const double distance = input.blocker_distance[i];
+  if (!(distance > 0.0)) return false;
+  if (input.settings.contact_distance_world) return distance < *input.settings.contact_distance_world;
+  if (!input.texels.bias_world.empty() && distance < kContactBiases * input.texels.bias_world[i]) return true;
+  return distance < kContactPixels * pixel_extent_world(input.surface, i);
+}
+
+bool at_grazing_facet(const FaultInput& input, size_t i) {
+  if (input.irradiance.empty() || input.irradiance[i] > kGrazing * input.largest_irradiance) return false;
+  return normals_disagree(input, i, kSmoothMeshDeg) && in_contact(input, i);
 }
 
 // In part dark without a blocker: the receiver's own plane cuts the light.
@@ -73,8 +91,28 @@ double extreme_around(const FaultInput& input, size_t i, float residual, bool is
   return is_dark ? input.v[i] + beyond : input.v[i] - beyond;
 }
 
-Signs signs_of(const FaultInput& input, size_t i, float residual, bool is_dark, int32_t nearest_edge,
-               double cosine_limit) {
+// All of a map's errors lie about a caster thinner than its texels.
+bool at_thin_caster(const FaultInput& input, size_t i, const Surroundings& around) {
+  if (around.nearest_thin.empty()) return false;
+  const double texel_px = footprint_px(texel_step(input.texels, input.surface, i));
+  return distance_px(static_cast<int64_t>(i), around.nearest_thin[i], input.surface.width) <=
+         kEdgeTexels * texel_px;
+}
+
+bool is_blurred(const FaultInput& input, size_t i, bool is_dark, const Surroundings& around) {
+  if ((input.r[i] > 0.5f) != is_dark) return false;
+  if (!around.blurred_truth.empty()) {
+    const double left = std::abs(static_cast<double>(input.v[i]) - around.blurred_truth[i]);
+    if (left <= kBlurShare * std::abs(input.error(i))) return true;
+  }
+  const int32_t edge = around.nearest_edge[i];
+  if (edge < 0) return false;
+  const Outskirts outskirts = {input.v, input.r, input.mask, input.surface, is_dark ? 1.0f : -1.0f};
+  return is_blurred_edge(outskirts, i, static_cast<size_t>(edge), input.envelope.tolerance[i]);
+}
+
+Signs signs_of(const FaultInput& input, size_t i, float residual, bool is_dark, const Surroundings& around) {
+  const int32_t nearest_edge = around.nearest_edge[i];
   Signs signs = 0;
   const auto add = [&](Sign sign, bool holds) {
     signs = static_cast<Signs>(signs | (holds ? bit(sign) : 0));
@@ -83,16 +121,20 @@ Signs signs_of(const FaultInput& input, size_t i, float residual, bool is_dark, 
   const double epsilon = input.settings.lit_epsilon;
   const bool plain = is_dark ? extreme > 1.0 - epsilon : extreme < epsilon;
   add(Sign::plain, plain);
-  add(Sign::terminator, normals_disagree(input, i, cosine_limit) || (!is_dark && at_own_horizon(input, i)));
+  add(Sign::terminator, at_terminator(input, i, is_dark));
+  add(Sign::blurred, is_blurred(input, i, is_dark, around));
+  add(Sign::edge, at_thin_caster(input, i, around));
+  if (!is_dark && input.r[i] < 0.5f) {
+    const bool is_touching = touches(input, i) || displaced(input, i, nearest_edge);
+    add(Sign::touching, is_touching);
+    add(Sign::contact, is_touching || in_contact(input, i));
+  }
   if (!is_dark) {
-    add(Sign::contact, input.r[i] < 0.5f && (in_contact(input, i) || displaced(input, i, nearest_edge)));
     add(Sign::layered, plain && input.blocker_layers[i] >= input.settings.bleed_layers);
   }
   if (const PenumbraProfile* profile = nearest_profile(input, i)) {
-    const bool has_ridge = profile->outcome != ProfileOutcome::no_ridge;
-    const bool overlaps = profile->outcome == ProfileOutcome::unreached;
-    add(Sign::overlap, overlaps);
-    add(Sign::separate, has_ridge && !overlaps);
+    add(Sign::overlap, profile->overlaps);
+    add(Sign::separate, profile->has_ridge && !profile->overlaps);
   }
   if (nearest_edge < 0) return signs;
   const double distance = distance_px(i, nearest_edge, input.surface.width),
@@ -116,6 +158,9 @@ bool crosses_half(const FaultInput& input, size_t i, size_t j) {
 Kind kind_of(Signs signs) {
   const auto has = [signs](Sign sign) { return (signs & bit(sign)) != 0; };
   if (has(Sign::terminator)) return Kind::terminator;
+  // A gap at a contact within a texel and a half of its edge is no stair; a blur there is.
+  if (has(Sign::edge) && (has(Sign::blurred) || !has(Sign::touching))) return Kind::edge;
+  if (has(Sign::blurred)) return Kind::blurred;
   if (has(Sign::contact)) return Kind::contact;
   if (has(Sign::edge)) return Kind::edge;
   if (has(Sign::layered)) return Kind::layered;
@@ -128,23 +173,25 @@ bool Evidence::is_mixed() const {
 }
 
 bool in_contact(const FaultInput& input, size_t i) {
+  if (touches(input, i)) return true;
   const double distance = input.blocker_distance[i];
-  if (!(distance > 0.0)) return false;
-  if (input.settings.contact_distance_world) return distance < *input.settings.contact_distance_world;
-  if (input.texels.known(i) && distance < kContactTexels * input.texels.width_world[i]) return true;
-  if (!input.texels.bias_world.empty() && distance < kContactBiases * input.texels.bias_world[i]) return true;
-  return distance < kContactPixels * pixel_extent_world(input.surface, i);
+  return distance > 0.0 && !input.settings.contact_distance_world && input.texels.known(i) &&
+         distance < kContactTexels * input.texels.width_world[i];
+}
+
+bool at_terminator(const FaultInput& input, size_t i, bool is_dark) {
+  if (normals_disagree(input, i, input.settings.terminator_deg)) return true;
+  return !is_dark && (at_own_horizon(input, i) || at_grazing_facet(input, i));
 }
 
 std::vector<Signs> read_signs(const FaultInput& input, std::span<const float> residual, bool is_dark,
-                              std::span<const int32_t> nearest_edge) {
-  const double cosine_limit = std::cos(input.settings.terminator_deg * std::numbers::pi / 180.0);
+                              const Surroundings& around) {
   std::vector<Signs> signs(residual.size(), 0);
   for_each_row(input.surface.height, [&](int y) {
     const size_t width = static_cast<size_t>(input.surface.width), begin = static_cast<size_t>(y) * width;
     for (size_t i = begin; i < begin + width; ++i) {
       if (!(residual[i] > 0.0f)) continue;
-      signs[i] = signs_of(input, i, residual[i], is_dark, nearest_edge[i], cosine_limit);
+      signs[i] = signs_of(input, i, residual[i], is_dark, around);
     }
   });
   return signs;
@@ -168,7 +215,7 @@ std::vector<Evidence> gather_evidence(const FaultInput& input, std::span<const f
   return evidence;
 }
 
-std::vector<int32_t> nearest_edge_pixels(const FaultInput& input) {
+Surroundings look_around(const FaultInput& input, std::span<const uint8_t> thin) {
   std::vector<uint8_t> is_edge(input.r.size(), 0);
   const int height = input.surface.height;
   for_each_row(height, [&](int y) {
@@ -180,7 +227,11 @@ std::vector<int32_t> nearest_edge_pixels(const FaultInput& input) {
       is_edge[i] = (input.r[i] > 0.2f && input.r[i] < 0.8f) || crosses ? 1 : 0;
     }
   });
-  return nearest_feature(is_edge, input.surface.width, height);
+  Surroundings around;
+  around.nearest_edge = nearest_feature(is_edge, input.surface.width, height);
+  if (!thin.empty()) around.nearest_thin = nearest_feature(thin, input.surface.width, height);
+  around.blurred_truth = blurred_as_picture(input.v, input.r, input.mask, input.surface.width, height);
+  return around;
 }
 
 }  // namespace umbrameter

@@ -24,6 +24,8 @@ struct FaultInput {
   SurfaceView surface;
   std::array<std::span<const float>, 3> shading_normal;
   std::span<const float> blocker_distance, blocker_layers;
+  std::span<const float> irradiance;  // without shadows; empty where unknown
+  float largest_irradiance = 0.0f;
   TexelView texels;
 
   double error(size_t i) const { return static_cast<double>(v[i]) - r[i]; }
@@ -39,14 +41,16 @@ enum class Sign : uint8_t {
   near,        // within one width of a penumbra at least 3 px wide
   overlap,     // the nearest penumbra overlaps another
   separate,    // it has a ridge and overlaps none
+  touching,    // contact that the picture or a bias tells, not the width of texels alone
+  blurred,     // the outskirt of a true edge that is drawn wider on both sides: metrics/blurred_edge.h
   alone,       // near, and no penumbra that reaches further explains it: metrics/standing_alone.h
 };
-inline constexpr size_t kSigns = 9;
+inline constexpr size_t kSigns = 11;
 using Signs = uint16_t;  // bit 1 << Sign
 
 /// What a pixel would be blamed for on its own; pixels of one kind make up a piece of a mixed component.
-enum class Kind : uint8_t { partial, plain, alone, layered, edge, contact, terminator };
-inline constexpr size_t kKinds = 7;
+enum class Kind : uint8_t { partial, plain, alone, layered, contact, blurred, edge, terminator };
+inline constexpr size_t kKinds = 8;
 Kind kind_of(Signs signs);
 
 /// Sums over a component. `mass` weighs by residual; the others are the mass that meets a condition.
@@ -60,13 +64,23 @@ struct Evidence {
 
   double of(Sign sign) const { return by_sign[static_cast<size_t>(sign)]; }
   bool mostly(Sign sign, double share = 0.5) const { return of(sign) > share * mass; }
+  bool mostly(Kind kind) const { return by_kind[static_cast<size_t>(kind)] > 0.5 * mass; }
   bool is_mixed() const;  // no kind has four fifths
+};
+
+/// What signs look around for.
+struct Surroundings {
+  std::vector<int32_t>
+      nearest_edge;  // scored pixel with .2 < R < .8 or beside one on the other side of .5; -1 without any
+  std::vector<int32_t> nearest_thin;  // pixel of a shadow thinner than a texel; empty without any
+  std::vector<float>
+      blurred_truth;  // metrics/blurred_edge.h; empty when the picture is not blurred as a whole
 };
 
 /// [height][width] signs of the pixels where `residual` > 0; it is envelope.dark if `is_dark`, else
 /// envelope.bright.
 std::vector<Signs> read_signs(const FaultInput& input, std::span<const float> residual, bool is_dark,
-                              std::span<const int32_t> nearest_edge);
+                              const Surroundings& around);
 
 /// One a component of `residual` > 0.
 std::vector<Evidence> gather_evidence(const FaultInput& input, std::span<const float> residual,
@@ -75,7 +89,11 @@ std::vector<Evidence> gather_evidence(const FaultInput& input, std::span<const f
 /// Whether the nearest blocker of a shadowed pixel touches it, as far as map and picture can tell.
 bool in_contact(const FaultInput& input, size_t i);
 
-/// Nearest scored pixel with .2 < R < .8 or beside one on the other side of .5, -1 without any.
-std::vector<int32_t> nearest_edge_pixels(const FaultInput& input);
+/// Whether the receiver hides the light from itself, or its normals disagree, or, for light in shadow, a smooth mesh's facets
+/// shadow each other where the light grazes them.
+bool at_terminator(const FaultInput& input, size_t i, bool is_dark);
+
+/// `thin`: 1 on shadows thinner than a texel, empty without any.
+Surroundings look_around(const FaultInput& input, std::span<const uint8_t> thin);
 
 }  // namespace umbrameter

@@ -21,6 +21,8 @@ constexpr double kLargestRadiusPx = 64.0;
 struct Shape {
   size_t pixels = 0, met = 0;
   size_t contact = 0;        // pixels whose blocker is in contact
+  size_t thin = 0;           // of a shape thinner than a texel
+  size_t terminator = 0;     // where the receiver shadows itself
   size_t rim = 0, open = 0;  // neighbours outside it; those that go on with its surface
   size_t solid = 0;
 
@@ -108,6 +110,24 @@ bool is_solid(const FaultInput& input, const Shape& shape) {
          static_cast<double>(shape.open) >= kOpenRim * static_cast<double>(shape.rim);
 }
 
+// Of each component. Twice the largest distance to a pixel outside, less one pixel, is n for a strip n pixels wide.
+std::vector<double> widest_world(const FaultInput& input, std::span<const uint8_t> shape,
+                                 const Components& components) {
+  std::vector<uint8_t> outside(shape.size());
+  for (size_t i = 0; i < shape.size(); ++i) outside[i] = shape[i] == 0 && input.surface.hit(i) ? 1 : 0;
+  const std::vector<int32_t> nearest = nearest_feature(outside, input.surface.width, input.surface.height);
+  std::vector<double> widths(components.count, 0.0);
+  for (size_t i = 0; i < shape.size(); ++i) {
+    if (components.label[i] < 0 || nearest[i] < 0) continue;
+    const double px = distance_px(static_cast<int64_t>(i), nearest[i], input.surface.width);
+    const double world =
+        glm::length(input.surface.p_world(i) - input.surface.p_world(static_cast<size_t>(nearest[i])));
+    double& width = widths[static_cast<size_t>(components.label[i])];
+    width = std::max(width, world * (2.0 - 1.0 / px));
+  }
+  return widths;
+}
+
 template <class Keep>
 std::vector<uint8_t> pixels_of(const FaultInput& input, const Components& components,
                                const std::vector<Shape>& shapes, const Keep& keep) {
@@ -118,15 +138,41 @@ std::vector<uint8_t> pixels_of(const FaultInput& input, const Components& compon
 
 }  // namespace
 
-std::vector<uint8_t> lost_shapes(const FaultInput& input, bool contact) {
+std::vector<uint8_t> thin_shapes(const FaultInput& input) {
+  if (!input.texels.known()) return {};
+  const std::vector<uint8_t> dark = select(input, [&](size_t i) { return input.r[i] < 0.5f; });
+  const Components components = components_of(input, dark);
+  const std::vector<double> widest = widest_world(input, dark, components);
+  bool any = false;
+  std::vector<uint8_t> thin(dark.size(), 0);
+  for (size_t i = 0; i < thin.size(); ++i) {
+    if (components.label[i] < 0 || !input.texels.known(i)) continue;
+    const bool is_thin =
+        widest[static_cast<size_t>(components.label[i])] < static_cast<double>(input.texels.width_world[i]) &&
+        footprint_px(texel_step(input.texels, input.surface, i)) > 1.0;
+    thin[i] = is_thin ? 1 : 0;
+    any = any || is_thin;
+  }
+  return any ? thin : std::vector<uint8_t>();
+}
+
+std::vector<uint8_t> lost_shapes(const FaultInput& input, std::span<const uint8_t> thin, Loss loss) {
+  if (loss == Loss::thin && thin.empty()) return {};
   const Components components =
       components_of(input, select(input, [&](size_t i) { return input.r[i] < 0.5f; }));
   std::vector<Shape> shapes = measure_overlap(components, input.r, input.v);
   if (!any_unmatched(input, shapes)) return {};
-  for_wrong_pixels(input, components, input.r, input.v, shapes,
-                   [&](Shape& shape, size_t i) { shape.contact += in_contact(input, i) ? 1 : 0; });
+  for_wrong_pixels(input, components, input.r, input.v, shapes, [&](Shape& shape, size_t i) {
+    shape.contact += in_contact(input, i) ? 1 : 0;
+    shape.terminator += at_terminator(input, i, false) ? 1 : 0;
+    shape.thin += !thin.empty() && thin[i] != 0 ? 1 : 0;
+  });
   return pixels_of(input, components, shapes, [&](const Shape& shape) {
-    return is_unmatched(input, shape) && (2 * shape.contact > shape.wrong()) == contact;
+    const Loss reason = shape.thin > 0                         ? Loss::thin
+                        : 2 * shape.terminator > shape.wrong() ? Loss::terminator
+                        : 2 * shape.contact > shape.wrong()    ? Loss::contact
+                                                               : Loss::other;
+    return is_unmatched(input, shape) && reason == loss;
   });
 }
 
@@ -147,22 +193,8 @@ std::vector<uint8_t> extra_shapes(const FaultInput& input) {
   return pixels_of(input, components, shapes, [&](const Shape& shape) { return is_solid(input, shape); });
 }
 
-// Twice the largest distance to a pixel outside, less one pixel, is n for a strip n pixels wide.
 std::optional<double> median_gap_world(const FaultInput& input, std::span<const uint8_t> gap) {
-  const Components components = components_of(input, gap);
-  std::vector<uint8_t> outside(gap.size());
-  for (size_t i = 0; i < gap.size(); ++i) outside[i] = gap[i] == 0 && input.surface.hit(i) ? 1 : 0;
-  const std::vector<int32_t> nearest = nearest_feature(outside, input.surface.width, input.surface.height);
-  std::vector<double> widths(components.count, 0.0);
-  for (size_t i = 0; i < gap.size(); ++i) {
-    if (components.label[i] < 0 || nearest[i] < 0) continue;
-    const double px = distance_px(i, nearest[i], input.surface.width);
-    const double world =
-        glm::length(input.surface.p_world(i) - input.surface.p_world(static_cast<size_t>(nearest[i])));
-    double& width = widths[static_cast<size_t>(components.label[i])];
-    width = std::max(width, world * (2.0 - 1.0 / px));
-  }
-  const auto spread = spread_of(std::move(widths));
+  const auto spread = spread_of(widest_world(input, gap, components_of(input, gap)));
   return spread ? std::optional(spread->median) : std::nullopt;
 }
 

@@ -30,9 +30,16 @@ inline Components components_of(const FaultInput& input, std::span<const uint8_t
   return label_components(mask, input.surface.width, input.surface.height);
 }
 
-/// 1 on the 8-connected shapes of R < .5 that hardly meet V < .5, those whose blockers are in contact or the
-/// others. Shapes of fewer than min_component_px pixels are left out. Empty without any.
-std::vector<uint8_t> lost_shapes(const FaultInput& input, bool in_contact);
+/// 1 on the 8-connected shapes of R < .5 whose widest place is narrower than a texel and larger than a pixel: no map can draw
+/// them right. Empty without any.
+std::vector<uint8_t> thin_shapes(const FaultInput& input);
+
+/// Why a shadow is lost: it is thinner than a texel, the terminator's, its blockers are in contact, or none of these.
+enum class Loss : uint8_t { thin, terminator, contact, other };
+
+/// 1 on the 8-connected shapes of R < .5 that hardly meet V < .5, lost for that reason, the first that holds. Shapes of fewer
+/// than min_component_px pixels are left out. `thin` as from thin_shapes. Empty without any.
+std::vector<uint8_t> lost_shapes(const FaultInput& input, std::span<const uint8_t> thin, Loss loss);
 
 /// 1 on the 8-connected shapes of V < .5 that hardly meet R < .5 and are solid: a disc of extra_shadow_radius_px
 /// (or a texel and a half) that fits into them, moved about, covers half of what is wrong. Acne's stripes are

@@ -16,8 +16,9 @@ namespace umbrameter {
 namespace {
 
 constexpr std::array<std::string_view, kFaultClasses> kNames = {
-    "unscored", "explained",  "acne",          "terminator", "extra_shadow",   "penumbra",
-    "overlap",  "resolution", "peter_panning", "bleed",      "geometric_leak", "lost_shadow"};
+    "unscored",   "explained",         "acne",       "terminator",    "extra_shadow", "penumbra",
+    "overlap",    "penumbra_too_wide", "resolution", "peter_panning", "bleed",        "geometric_leak",
+    "lost_shadow"};
 
 FaultInput checked_input(const Image& test, const Image& reference, std::span<const uint8_t> mask,
                          std::span<const PenumbraProfile> profiles, const Envelope& envelope,
@@ -35,6 +36,12 @@ FaultInput checked_input(const Image& test, const Image& reference, std::span<co
   for (const char* channel : {"blocker_distance_min", "blocker_layers"}) {
     require_range(reference, channel, mask, 0.0f, kLargest);
   }
+  const bool has_light = reference.has("unshadowed_irradiance");
+  const std::span<const float> irradiance =
+      has_light ? reference.plane("unshadowed_irradiance") : std::span<const float>();
+  float largest = 0.0f;
+  for (size_t i = 0; i < irradiance.size(); ++i)
+    largest = mask[i] != 0 ? std::max(largest, irradiance[i]) : largest;
   return {test.plane("visibility"),
           reference.plane("visibility"),
           mask,
@@ -46,6 +53,8 @@ FaultInput checked_input(const Image& test, const Image& reference, std::span<co
            reference.plane("shading_normal.z")},
           reference.plane("blocker_distance_min"),
           reference.plane("blocker_layers"),
+          irradiance,
+          largest,
           checked_texels(test, mask)};
 }
 
@@ -94,15 +103,23 @@ FaultClass softness(const Evidence& e) {
   return e.of(Sign::overlap) > e.of(Sign::separate) ? FaultClass::overlap : FaultClass::penumbra;
 }
 
-FaultClass cause_of_dark(const Evidence& e, const FaultSettings&) {
+// Where a map is too coarse or a filter too wide, acne and gaps at contacts are what comes of it.
+std::optional<FaultClass> shared_cause(const Evidence& e) {
   if (e.mostly(Sign::terminator)) return FaultClass::terminator;
+  if (e.mostly(Kind::edge)) return FaultClass::resolution;
+  if (e.mostly(Kind::blurred)) return FaultClass::penumbra_too_wide;
+  return std::nullopt;
+}
+
+FaultClass cause_of_dark(const Evidence& e, const FaultSettings&) {
+  if (const auto fault = shared_cause(e)) return *fault;
   if (e.mostly(Sign::edge)) return FaultClass::resolution;
   if (is_softness(e)) return softness(e);
   return e.mostly(Sign::plain) || e.mostly(Sign::alone) ? FaultClass::acne : softness(e);
 }
 
 FaultClass cause_of_bright(const Evidence& e, const FaultSettings& settings) {
-  if (e.mostly(Sign::terminator)) return FaultClass::terminator;
+  if (const auto fault = shared_cause(e)) return *fault;
   if (e.mostly(Sign::contact)) return FaultClass::peter_panning;
   if (e.mostly(Sign::edge)) return FaultClass::resolution;
   if (is_softness(e)) return softness(e);
@@ -132,9 +149,9 @@ void classify_pieces(const FaultInput& input, std::span<const float> residual, s
 }
 
 void classify_residual(const FaultInput& input, std::span<const float> residual, bool is_dark,
-                       std::span<const int32_t> nearest_edge, Faults& out) {
+                       const Surroundings& around, Faults& out) {
   const Cause cause = is_dark ? cause_of_dark : cause_of_bright;
-  const std::vector<Signs> signs = read_signs(input, residual, is_dark, nearest_edge);
+  const std::vector<Signs> signs = read_signs(input, residual, is_dark, around);
   const Components components = components_of(
       input,
       select(input, [&](size_t i) { return residual[i] > 0.0f && out.classes[i] == FaultClass::explained; }));
@@ -209,12 +226,15 @@ Faults classify_faults(const Image& test, const Image& reference, std::span<cons
   for (size_t i = 0; i < mask.size(); ++i) {
     if (mask[i] != 0) out.classes[i] = FaultClass::explained;
   }
-  claim_shapes(input, 1.0f, lost_shapes(input, false), FaultClass::lost_shadow, out);
-  claim_shapes(input, 1.0f, lost_shapes(input, true), FaultClass::peter_panning, out);
+  const std::vector<uint8_t> thin = thin_shapes(input);
+  claim_shapes(input, 1.0f, lost_shapes(input, thin, Loss::thin), FaultClass::resolution, out);
+  claim_shapes(input, 1.0f, lost_shapes(input, thin, Loss::terminator), FaultClass::terminator, out);
+  claim_shapes(input, 1.0f, lost_shapes(input, thin, Loss::other), FaultClass::lost_shadow, out);
+  claim_shapes(input, 1.0f, lost_shapes(input, thin, Loss::contact), FaultClass::peter_panning, out);
   claim_shapes(input, -1.0f, extra_shapes(input), FaultClass::extra_shadow, out);
-  const std::vector<int32_t> nearest_edge = nearest_edge_pixels(input);
-  classify_residual(input, envelope.dark, true, nearest_edge, out);
-  classify_residual(input, envelope.bright, false, nearest_edge, out);
+  const Surroundings around = look_around(input, thin);
+  classify_residual(input, envelope.dark, true, around, out);
+  classify_residual(input, envelope.bright, false, around, out);
   count_components(input, out);
   if (out.of(FaultClass::peter_panning).components > 0) {
     out.peter_panning_gap_world = median_gap_world(

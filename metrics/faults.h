@@ -14,20 +14,21 @@
 namespace umbrameter {
 
 enum class FaultClass : uint8_t {
-  unscored,        // masked out
-  explained,       // within what a slight shift, a slight width error or the reference's noise explains
-  acne,            // unexplained dark where all around is fully lit
-  terminator,      // unexplained dark where shading and geometric normals disagree
-  extra_shadow,    // a solid dark shape the truth has not
-  penumbra,        // unexplained in or along a penumbra: its softness is wrong
-  overlap,         // the same where penumbrae overlap
-  resolution,      // unexplained within a texel and a half of an edge narrower than two texels
-  peter_panning,   // unexplained bright where the blocker is in contact
-  bleed,           // unexplained, not full, bright where several blockers lie behind each other
+  unscored,           // masked out
+  explained,          // within what a slight shift, a slight width error or the reference's noise explains
+  acne,               // unexplained dark where all around is fully lit
+  terminator,         // unexplained dark where shading and geometric normals disagree
+  extra_shadow,       // a solid dark shape the truth has not
+  penumbra,           // unexplained in or along a penumbra: its softness is wrong
+  overlap,            // the same where penumbrae overlap
+  penumbra_too_wide,  // the shadow's edge reaches further out and further in than the true one: a filter too wide
+  resolution,         // unexplained within a texel and a half of an edge narrower than two texels
+  peter_panning,      // unexplained bright where the blocker is in contact
+  bleed,              // unexplained, not full, bright where several blockers lie behind each other
   geometric_leak,  // other unexplained bright in shadow: missing caster, culling, cascade edge
   lost_shadow,     // a whole shadow of the truth that the test has not
 };
-inline constexpr size_t kFaultClasses = 12;
+inline constexpr size_t kFaultClasses = 13;
 
 /// The enumerator's own word.
 std::string_view name_of(FaultClass fault);

@@ -128,12 +128,13 @@ Parity compare_surfaces(const Image& test, const Image& reference, const double 
   out.surface_mismatch = count(ParityClass::surface);
   out.irradiance_mismatch = count(ParityClass::irradiance);
   if (!depth_errors.empty()) out.median_relative_depth_error = median(std::move(depth_errors));
-  if (out.covered > 0) {
-    out.agreement = static_cast<double>(count(ParityClass::agrees)) / static_cast<double>(out.covered);
-  } else {
-    out.agreement = 1.0;
-  }
+  const auto share = [&](size_t pixels) {
+    return out.covered > 0 ? static_cast<double>(pixels) / static_cast<double>(out.covered) : 1.0;
+  };
+  out.agreement = share(count(ParityClass::agrees));
   out.passes = out.agreement >= tolerance.required_agreement;
+  const size_t same_surface = count(ParityClass::agrees) + count(ParityClass::irradiance);
+  out.is_other_light = !out.passes && share(same_surface) >= tolerance.required_agreement;
   return out;
 }
 

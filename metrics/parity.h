@@ -32,6 +32,8 @@ struct Parity {
   double median_relative_depth_error = 0.0;
   double agreement = 0.0;  // agreeing / covered; 1 when nothing is covered
   bool passes = false;
+  /// Whether it fails for the light alone: the surfaces would pass.
+  bool is_other_light = false;
 };
 
 /// Compares position, normal, primitive_id and unshadowed_irradiance of two frames of one camera. The same

@@ -3,10 +3,8 @@
 
 #include "core/error.h"
 #include "metrics/checks.h"
-#include "metrics/isotonic.h"
+#include "metrics/penumbra_judge.h"
 #include "metrics/penumbra_walk.h"
-
-#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -16,108 +14,28 @@ namespace umbrameter {
 
 namespace {
 
-struct Curve {
-  std::vector<double> position, value;
-};
-
-// Samples of both sides and the seed, by position: on a slanted edge neighbours may come in either order.
-Curve curve_of(std::span<const float> values, size_t seed, const Walk& dark, size_t dark_count,
-               const Walk& bright, size_t bright_count) {
-  std::vector<WalkSample> samples(dark.samples.begin(), dark.samples.begin() + static_cast<long>(dark_count));
-  samples.push_back({seed, 0.0});
-  samples.insert(samples.end(), bright.samples.begin(),
-                 bright.samples.begin() + static_cast<long>(bright_count));
-  std::stable_sort(samples.begin(), samples.end(),
-                   [](const WalkSample& a, const WalkSample& b) { return a.s_world < b.s_world; });
-  Curve curve;
-  for (const WalkSample& sample : samples) {
-    curve.position.push_back(sample.s_world);
-    curve.value.push_back(values[sample.pixel]);
-  }
-  return curve;
+// A faint shadow's flank is a profile of its own only where no half of it leads to a ridge.
+bool crosses_half(const ReferenceField& field, const Walk& walk, float own) {
+  return std::any_of(walk.samples.begin(), walk.samples.end(), [&](const WalkSample& sample) {
+    return (field.visibility[sample.pixel] < 0.5f) != (own < 0.5f);
+  });
 }
 
-double rms_between(std::span<const double> a, std::span<const double> b) {
-  double sum = 0.0;
-  for (size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
-  return std::sqrt(sum / static_cast<double>(a.size()));
-}
-
-double rms(std::span<const double> values) {
-  const std::vector<double> zero(values.size(), 0.0);
-  return rms_between(values, zero);
-}
-
-bool spans(const std::vector<double>& fitted, double reach) {
-  return fitted.front() <= 1.0 - reach && fitted.back() >= reach;
-}
-
-bool broken(const Walk& walk) {
-  return walk.end == WalkEnd::broken;
-}
-
-ProfileOutcome judge_reference(const ReferenceField& field, size_t seed, const Ascent& ascent,
-                               const Walk& dark, const Walk& bright, const PenumbraSettings& settings,
-                               PenumbraProfile& profile, double& center) {
-  const Curve curve =
-      curve_of(field.visibility, seed, dark, dark.reference_count, bright, bright.reference_count);
-  const std::vector<double> fitted = fit_nondecreasing(curve.value);
-  const bool saturated = dark.end == WalkEnd::saturated && bright.end == WalkEnd::saturated;
-  if (!saturated && !spans(fitted, settings.reach)) {
-    return broken(dark) || broken(bright) ? ProfileOutcome::discontinuity : ProfileOutcome::unreached;
-  }
-  const Curve noise =
-      curve_of(field.visibility_se, seed, dark, dark.reference_count, bright, bright.reference_count);
-  // A pixel's position along the walk is exact, so a noise-free profile may leave its fit by rounding only.
-  constexpr double kRounding = 0.01;
-  if (rms_between(curve.value, fitted) > 3.0 * rms(noise.value) + kRounding)
-    return ProfileOutcome::not_monotone;
-  const auto transition = measure_transition(curve.position, fitted);
-  if (!transition) return ProfileOutcome::unreached;
-
-  const double walked_px = glm::length(ascent.direction_px) * static_cast<double>(curve.value.size() - 1);
-  profile.reference_width_world = transition->width;
-  profile.reference_width_10_90_world = transition->width_10_90;
-  profile.reference_width_px =
-      transition->width * walked_px / (curve.position.back() - curve.position.front());
-  center = transition->center;
-  return profile.reference_width_px < settings.min_width_px ? ProfileOutcome::too_narrow
-                                                            : ProfileOutcome::accepted;
-}
-
-ProfileOutcome judge_test(std::span<const float> test, size_t seed, const Walk& dark, const Walk& bright,
-                          const PenumbraSettings& settings, double reference_center,
-                          PenumbraProfile& profile) {
-  const Curve curve = curve_of(test, seed, dark, dark.test_count, bright, bright.test_count);
-  const std::vector<double> fitted = fit_nondecreasing(curve.value);
-  if (!spans(fitted, settings.test_reach)) return ProfileOutcome::test_unreached;
-  const bool cut_dark = dark.test_cut && fitted.front() > 1.0 - settings.reach;
-  const bool cut_bright = bright.test_cut && fitted.back() < settings.reach;
-  if (cut_dark || cut_bright) return ProfileOutcome::test_unreached;
-  if (rms_between(curve.value, fitted) > settings.max_test_rms) return ProfileOutcome::test_not_monotone;
-  const auto transition = measure_transition(curve.position, fitted);
-  if (!transition) return ProfileOutcome::test_unreached;
-  profile.test_width_world = transition->width;
-  profile.test_width_10_90_world = transition->width_10_90;
-  profile.offset_world = transition->center - reference_center;
-  return ProfileOutcome::accepted;
-}
-
-void count_levels(const ReferenceField& field, std::span<const float> test, size_t seed, const Walk& dark,
-                  const Walk& bright, PenumbraProfile& profile) {
-  std::vector<long> levels;
-  const auto add = [&](size_t i) {
-    if (field.visibility[i] > 0.05f && field.visibility[i] < 0.95f) {
-      levels.push_back(std::lround(4096.0 * test[i]));
-    }
-  };
-  add(seed);
-  for (const Walk* walk : {&dark, &bright}) {
-    for (size_t k = 0; k < walk->reference_count; ++k) add(walk->samples[k].pixel);
-  }
-  profile.ramp_px = levels.size();
-  std::sort(levels.begin(), levels.end());
-  profile.ramp_levels = static_cast<size_t>(std::unique(levels.begin(), levels.end()) - levels.begin());
+std::optional<PenumbraProfile> measure_flank(const ReferenceField& field, std::span<const float> test,
+                                             size_t seed, const PenumbraProfile& found,
+                                             const PenumbraSettings& settings) {
+  const auto ascent = fit_ascent(field, seed);
+  if (!ascent) return std::nullopt;
+  const Walk dark = walk_profile(field, test, seed, *ascent, false, settings.max_length_px);
+  const Walk bright = walk_profile(field, test, seed, *ascent, true, settings.max_length_px);
+  const float own = field.visibility[seed];
+  if (crosses_half(field, dark, own) || crosses_half(field, bright, own)) return std::nullopt;
+  PenumbraProfile profile = found;
+  const size_t width = static_cast<size_t>(field.surface.width);
+  profile.x = static_cast<int>(seed % width);
+  profile.y = static_cast<int>(seed / width);
+  judge_stretch({field, test, seed, *ascent, dark, bright}, settings, profile);
+  return profile.outcome == ProfileOutcome::accepted ? std::optional(profile) : std::nullopt;
 }
 
 PenumbraProfile measure_profile(const ReferenceField& field, std::span<const float> test, const Seed& seed,
@@ -126,27 +44,20 @@ PenumbraProfile measure_profile(const ReferenceField& field, std::span<const flo
   PenumbraProfile profile;
   profile.x = static_cast<int>(seed.pixel % width);
   profile.y = static_cast<int>(seed.pixel / width);
+  profile.has_ridge = seed.on_ridge;
   profile.outcome = seed.on_ridge ? ProfileOutcome::discontinuity : ProfileOutcome::no_ridge;
-  const auto ascent = fit_ascent(field, seed.pixel);
-  if (!ascent) return profile;
-  profile.reference_width_px = ascent->width_px;
-  if (!seed.on_ridge) return profile;
-
-  const Walk dark = walk_profile(field, test, seed.pixel, *ascent, false, settings.max_length_px);
-  const Walk bright = walk_profile(field, test, seed.pixel, *ascent, true, settings.max_length_px);
-  double center = 0.0;
-  profile.outcome = judge_reference(field, seed.pixel, *ascent, dark, bright, settings, profile, center);
-  const bool too_narrow = profile.outcome == ProfileOutcome::too_narrow;
-  if (profile.outcome != ProfileOutcome::accepted && !too_narrow) return profile;
-  PenumbraProfile judged = profile;
-  judged.outcome = judge_test(test, seed.pixel, dark, bright, settings, center, judged);
-  if (judged.outcome == ProfileOutcome::accepted) judged.edge_offset_world = judged.offset_world;
-  if (too_narrow) {
-    profile.edge_offset_world = judged.edge_offset_world;
-    return profile;
+  if (const auto ascent = fit_ascent(field, seed.pixel)) {
+    profile.reference_width_px = ascent->width_px;
+    if (seed.on_ridge) {
+      const Walk dark = walk_profile(field, test, seed.pixel, *ascent, false, settings.max_length_px);
+      const Walk bright = walk_profile(field, test, seed.pixel, *ascent, true, settings.max_length_px);
+      judge_profile({field, test, seed.pixel, *ascent, dark, bright}, settings, profile);
+    }
   }
-  count_levels(field, test, seed.pixel, dark, bright, judged);
-  return judged;
+  if (!seed.on_ridge && seed.flank) {
+    if (const auto flank = measure_flank(field, test, *seed.flank, profile, settings)) return *flank;
+  }
+  return profile;
 }
 
 bool is_measured(const PenumbraProfile& profile) {
@@ -164,6 +75,12 @@ void limit_widths(std::vector<PenumbraProfile>& profiles) {
   for (PenumbraProfile& profile : profiles) {
     if (!is_measured(profile)) profile.reference_width_px = std::min(profile.reference_width_px, widest_px);
   }
+}
+
+double rms(std::span<const double> values) {
+  double sum = 0.0;
+  for (const double value : values) sum += value * value;
+  return std::sqrt(sum / static_cast<double>(values.size()));
 }
 
 constexpr std::array<std::string_view, kProfileOutcomes> kOutcomeNames = {
@@ -224,9 +141,9 @@ PenumbraError measure_penumbra(const Image& test, const Image& reference, std::s
     out.profiles.push_back(*profile);
     ++out.outcomes[static_cast<size_t>(profile->outcome)];
     if (profile->outcome != ProfileOutcome::accepted) continue;
-    octaves.push_back(std::log2(profile->test_width_world / profile->reference_width_world));
-    octaves_10_90.push_back(
-        std::log2(profile->test_width_10_90_world / profile->reference_width_10_90_world));
+    out.partial += profile->is_partial ? 1 : 0;
+    octaves.push_back(profile->width_octaves);
+    octaves_10_90.push_back(profile->width_10_90_octaves);
     offsets.push_back(profile->offset_world);
   }
   limit_widths(out.profiles);

@@ -33,10 +33,20 @@ struct Cursor {
   }
 };
 
-bool crosses_half(const ReferenceField& field, size_t i, std::optional<size_t> neighbour) {
+bool crosses(const ReferenceField& field, size_t i, std::optional<size_t> neighbour, float level) {
   if (!neighbour || !field.connected(i, *neighbour)) return false;
-  const float a = field.visibility[i] - 0.5f, b = field.visibility[*neighbour] - 0.5f;
+  const float a = field.visibility[i] - level, b = field.visibility[*neighbour] - level;
   return a != b && a * b <= 0.0f;
+}
+
+bool crosses(const ReferenceField& field, size_t i, float level) {
+  const Cursor cursor(field.surface, i);
+  return crosses(field, i, cursor.at(1, 0), level) || crosses(field, i, cursor.at(0, 1), level);
+}
+
+/// The flank's level that the visibility is closest to.
+float flank_level(float visibility) {
+  return visibility < 0.5f ? 0.25f : 0.75f;
 }
 
 // Change of position a pixel step brings, central where both neighbours belong to the surface.
@@ -115,10 +125,15 @@ class SideWatch {
   /// How far from this side's plateau a visibility is.
   double distance(double visibility) const { return towards_light_ ? 1.0 - visibility : visibility; }
 
-  bool turned(double visibility, double se) {
-    nearest_ = std::min(nearest_, distance(visibility));
+  bool turned(double visibility, double se, size_t samples) {
+    if (distance(visibility) < nearest_) {
+      nearest_ = distance(visibility);
+      samples_to_nearest_ = samples;
+    }
     return distance(visibility) > nearest_ + kTurn + 4.0 * se;
   }
+  /// Samples of the walk up to its extreme.
+  size_t samples_to_nearest() const { return samples_to_nearest_; }
   /// True from the kPlateauRun-th pixel in a row within `tolerance` of the plateau.
   static bool settled(double distance, double tolerance, size_t& run) {
     run = distance <= tolerance ? run + 1 : 0;
@@ -128,27 +143,35 @@ class SideWatch {
  private:
   bool towards_light_;
   double nearest_ = 1.0;
+  size_t samples_to_nearest_ = 0;
 };
 
 }  // namespace
 
 std::optional<Seed> find_seed(const ReferenceField& field, const Tile& cell) {
   std::optional<Seed> best;
-  float best_distance = 0.3f;
+  std::optional<size_t> flank;
+  float best_distance = 0.3f, flank_distance = 1.0f;
   for (int y = cell.y0; y < cell.y1; ++y) {
     for (int x = cell.x0; x < cell.x1; ++x) {
       const size_t i =
           static_cast<size_t>(y) * static_cast<size_t>(field.surface.width) + static_cast<size_t>(x);
       if (!field.usable(i)) continue;
+      const float level = flank_level(field.visibility[i]);
+      const float from_flank = std::abs(field.visibility[i] - level);
+      if (from_flank < flank_distance && crosses(field, i, level)) {
+        flank = i;
+        flank_distance = from_flank;
+      }
       const float distance = std::abs(field.visibility[i] - 0.5f);
-      const Cursor cursor(field.surface, i);
-      const bool ridge = crosses_half(field, i, cursor.at(1, 0)) || crosses_half(field, i, cursor.at(0, 1));
+      const bool ridge = crosses(field, i, 0.5f);
       const bool better = ridge != (best && best->on_ridge) ? ridge : distance < best_distance;
       if (!better) continue;
-      best = Seed{i, ridge};
+      best = Seed{i, ridge, {}};
       best_distance = distance;
     }
   }
+  if (best && !best->on_ridge) best->flank = flank;
   return best;
 }
 
@@ -186,8 +209,12 @@ Walk walk_profile(const ReferenceField& field, std::span<const float> test, size
       break;
     }
     const double visibility = field.visibility[*i], se = field.visibility_se[*i];
-    if (watch.turned(visibility, se)) {
-      if (!settled) walk.end = WalkEnd::turned;
+    if (watch.turned(visibility, se, walk.samples.size() + 1)) {
+      if (!settled) {
+        walk.end = WalkEnd::turned;
+        walk.samples.resize(std::min(walk.samples.size(), watch.samples_to_nearest()));
+        walk.test_count = std::min(walk.test_count, walk.samples.size());
+      }
       break;
     }
     walk.samples.push_back({*i, glm::dot(ascent.direction_world, field.surface.p_world(*i) - origin)});

@@ -29,9 +29,13 @@ struct ReferenceField {
 struct Seed {
   size_t pixel = 0;
   bool on_ridge = false;  // else only in the penumbra: .2 < visibility < .8
+  /// Off a ridge: a pixel where visibility crosses .75 or .25, the flank of a shadow without umbra or of light between
+  /// shadows.
+  std::optional<size_t> flank;
 };
 
-/// The seed of a cell: the ridge pixel closest to .5, else the penumbra pixel closest to it, else none.
+/// The seed of a cell: the ridge pixel closest to .5, else the penumbra pixel closest to it, with the flank pixel closest to
+/// its level; else none.
 std::optional<Seed> find_seed(const ReferenceField& field, const Tile& cell);
 
 /// The steepest ascent of visibility on the receiver.

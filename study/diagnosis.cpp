@@ -56,9 +56,13 @@ DiagnosedImage diagnose(const Image& test, const Image& reference, std::span<con
   const Envelope envelope = measure_envelope(test, reference, mask, penumbra.profiles);
   Faults faults = classify_faults(test, reference, mask, penumbra.profiles, envelope);
   DiagnosedImage out;
-  out.numbers.penumbra = {
-      penumbra.outcomes,     penumbra.width_octaves,  penumbra.width_10_90_octaves,
-      penumbra.offset_world, offset_widths(penumbra), offset_texels(penumbra, test, mask)};
+  out.numbers.penumbra = {penumbra.outcomes,
+                          penumbra.partial,
+                          penumbra.width_octaves,
+                          penumbra.width_10_90_octaves,
+                          penumbra.offset_world,
+                          offset_widths(penumbra),
+                          offset_texels(penumbra, test, mask)};
   out.numbers.contact_hardening = measure_contact_hardening(penumbra);
   out.numbers.faults = {faults.scored_pixels, faults.by_class, faults.mean_abs_error,
                         faults.peter_panning_gap_world};

@@ -21,6 +21,7 @@ namespace umbrameter {
 /// PenumbraError without its profiles. Spreads are absent when no profile was accepted.
 struct PenumbraNumbers {
   std::array<size_t, kProfileOutcomes> outcomes{};
+  size_t partial = 0;  // of those accepted: measured on a stretch without both plateaus
   std::optional<Spread> width_octaves;
   std::optional<Spread> width_10_90_octaves;
   std::optional<Spread> offset_world;

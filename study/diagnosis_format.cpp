@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 
 namespace umbrameter {
 namespace {
@@ -31,7 +32,8 @@ std::string profiles_text(const PenumbraNumbers& penumbra) {
                         words(name_of(static_cast<ProfileOutcome>(k))));
     separator = ", ";
   }
-  return penumbra.rejected() > 0 ? text + ")" : text;
+  if (penumbra.rejected() > 0) text += ")";
+  return penumbra.partial > 0 ? fmt::format("{}, {} by a stretch", text, penumbra.partial) : text;
 }
 
 std::string hardening_text(const ContactHardening& hardening) {
@@ -65,6 +67,35 @@ double coarse_part(const ErrorCauses& causes) {
   return part;
 }
 
+constexpr double kNamedShare = 0.1;  // of the mean absolute error
+
+struct FaultPart {
+  FaultClass fault;
+  double part = 0.0;  // of the mean absolute error
+};
+
+/// `part_of` every class that is a fault, the largest first; those below the share of `mean_abs_error` are left out.
+template <class PartOf>
+std::vector<FaultPart> named_parts(double mean_abs_error, const PartOf& part_of) {
+  std::vector<FaultPart> parts;
+  for (size_t k = static_cast<size_t>(FaultClass::explained) + 1; k < kFaultClasses; ++k) {
+    const auto fault = static_cast<FaultClass>(k);
+    const double part = part_of(fault);
+    if (part > 0.0 && part >= kNamedShare * mean_abs_error) parts.push_back({fault, part});
+  }
+  std::ranges::stable_sort(parts, std::ranges::greater{}, &FaultPart::part);
+  return parts;
+}
+
+std::string list_of(const std::vector<FaultPart>& parts, std::string_view sign) {
+  std::string text;
+  for (const FaultPart& part : parts) {
+    text += fmt::format("{}{}{} {}", text.empty() ? "" : ", ", sign, words(name_of(part.fault)),
+                        part_text(part.part));
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string format_fault(FaultClass fault) {
@@ -76,6 +107,23 @@ std::string format_worst_fault(const std::optional<Diagnosis>& diagnosis) {
   const auto worst = worst_fault(diagnosis->faults);
   if (!worst) return "none";
   return format_fault(*worst) + " " + part_text(diagnosis->faults.of(*worst).mean_abs_error);
+}
+
+std::string format_faults(const std::optional<Diagnosis>& diagnosis) {
+  if (!diagnosis) return kNotApplicable;
+  const auto parts = named_parts(diagnosis->faults.mean_abs_error.value_or(0.0), [&](FaultClass fault) {
+    return diagnosis->faults.of(fault).mean_abs_error;
+  });
+  return parts.empty() ? format_worst_fault(diagnosis) : list_of(parts, "");
+}
+
+std::string format_growth(const std::optional<Diagnosis>& diagnosis,
+                          const std::optional<Diagnosis>& baseline) {
+  if (!diagnosis || !baseline) return kNotApplicable;
+  const auto parts = named_parts(diagnosis->faults.mean_abs_error.value_or(0.0), [&](FaultClass fault) {
+    return diagnosis->faults.of(fault).mean_abs_error - baseline->faults.of(fault).mean_abs_error;
+  });
+  return parts.empty() ? "nothing" : list_of(parts, "+");
 }
 
 TermLines penumbra_lines(const Diagnosis& diagnosis) {

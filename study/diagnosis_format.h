@@ -18,6 +18,15 @@ std::string format_fault(FaultClass fault);
 /// there is no diagnosis.
 std::string format_worst_fault(const std::optional<Diagnosis>& diagnosis);
 
+/// "acne 0.0120, bleed 0.0031": every class with a tenth or more of the mean absolute error, the largest first; the worst where
+/// none has; "none"; "n/a" when there is no diagnosis.
+std::string format_faults(const std::optional<Diagnosis>& diagnosis);
+
+/// "+acne 0.0110": classes whose part grew against the baseline's by a tenth or more of the run's mean absolute error, the
+/// largest growth first; "nothing"; "n/a" when one has no diagnosis.
+std::string format_growth(const std::optional<Diagnosis>& diagnosis,
+                          const std::optional<Diagnosis>& baseline);
+
 /// Terms and their texts.
 using TermLines = std::vector<std::pair<std::string, std::string>>;
 

@@ -34,12 +34,14 @@ OrderedJson penumbra_json(const PenumbraNumbers& penumbra) {
           {"offset_widths", spread_json(penumbra.offset_widths)},
           {"offset_texels", spread_json(penumbra.offset_texels)},
           {"accepted", penumbra.accepted()},
+          {"partial", penumbra.partial},
           {"rejected", penumbra.rejected()},
           {"profiles", outcomes}};
 }
 
 PenumbraNumbers read_penumbra(const Json& json) {
   PenumbraNumbers penumbra;
+  penumbra.partial = json.at("partial");
   penumbra.width_octaves = read_spread(json.at("width_octaves"));
   penumbra.width_10_90_octaves = read_spread(json.at("width_10_90_octaves"));
   penumbra.offset_world = read_spread(json.at("offset_world"));

@@ -13,6 +13,13 @@ std::string milliseconds_text(double ms) {
   return ms < 1000.0 ? fmt::format("{:.4g}", ms) : fmt::format("{:.0f}", ms);
 }
 
+/// What the light alone disagrees on shows the same surfaces.
+bool is_other_light(const ParityNumbers& parity) {
+  const size_t other = parity.coverage_mismatch + parity.surface_mismatch;
+  return static_cast<double>(parity.covered - other) >=
+         parity.required_agreement * static_cast<double>(parity.covered);
+}
+
 }  // namespace
 
 std::string format_error(const std::optional<double>& value) {
@@ -49,8 +56,12 @@ std::string format_parity(const ParityNumbers& parity) {
       "irradiance; "
       "median relative depth error {:.2g}",
       format_share(parity.agreement), parity.covered, format_share(parity.required_agreement),
-      parity.passes ? "passes" : "FAILS, so no number of this scene counts", parity.coverage_mismatch,
-      parity.surface_mismatch, parity.irradiance_mismatch, parity.median_relative_depth_error);
+      parity.passes ? "passes"
+      : is_other_light(parity)
+          ? "FAILS, the same surfaces under another light, so no number of this scene counts"
+          : "FAILS, other surfaces, so no number of this scene counts",
+      parity.coverage_mismatch, parity.surface_mismatch, parity.irradiance_mismatch,
+      parity.median_relative_depth_error);
 }
 
 std::string format_skip(const Skip& skip) {

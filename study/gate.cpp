@@ -9,9 +9,10 @@ namespace umbrameter {
 namespace {
 
 constexpr std::array<std::string_view, kGateClasses> kNames = {
-    "failure",      "metric",     "truth",         "parity", "acne",           "terminator",
-    "extra_shadow", "resolution", "peter_panning", "bleed",  "geometric_leak", "lost_shadow",
-    "softness",     "hardening",  "offset",        "noise",  "banding",        "error"};
+    "failure",   "metric",         "truth",        "parity",     "light",
+    "acne",      "terminator",     "extra_shadow", "resolution", "peter_panning",
+    "bleed",     "geometric_leak", "lost_shadow",  "softness",   "penumbra_too_wide",
+    "hardening", "offset",         "noise",        "banding",    "error"};
 
 struct FaultPair {
   FaultClass fault;
@@ -30,7 +31,7 @@ std::optional<GateClass> void_reason(const GateRun& run) {
   if (run.failure) return GateClass::failure;
   if (!run.metric_problems.empty()) return GateClass::metric;
   if (!run.truth_problems.empty()) return GateClass::truth;
-  if (!run.parity_passes) return GateClass::parity;
+  if (!run.parity_passes) return run.is_other_light ? GateClass::light : GateClass::parity;
   return std::nullopt;
 }
 
@@ -82,7 +83,8 @@ std::optional<double> fault_share(const GateRun& run, FaultClass fault) {
 
 std::optional<double> penumbra_share(const GateRun& run) {
   if (!run.diagnosis) return std::nullopt;
-  return *fault_share(run, FaultClass::penumbra) + *fault_share(run, FaultClass::overlap);
+  return *fault_share(run, FaultClass::penumbra) + *fault_share(run, FaultClass::overlap) +
+         *fault_share(run, FaultClass::penumbra_too_wide);
 }
 
 double shrunk(const GateRun& run, const GateRun& baseline, FaultClass fault) {
@@ -135,6 +137,17 @@ std::optional<GateClass> kind_of_penumbra(const std::vector<GateMeasure>& measur
     return is_grain && m.kind == GateClass::banding ? 0.0 : m.severity();
   });
   return worst != nullptr ? std::optional(worst->kind) : std::nullopt;
+}
+
+// Half of what the penumbrae have too much of is softness beyond the true one.
+bool is_too_wide(const GateRun& run, const GateRun* baseline) {
+  if (!run.diagnosis) return false;
+  const auto more = [&](const auto& share) {
+    return share(run) - (baseline != nullptr && baseline->diagnosis ? share(*baseline) : 0.0);
+  };
+  const double all = more([](const GateRun& r) { return *penumbra_share(r); });
+  const double wide = more([](const GateRun& r) { return *fault_share(r, FaultClass::penumbra_too_wide); });
+  return wide > 0.5 * all && wide > 0.0;
 }
 
 std::optional<GateClass> main_fault(const std::vector<GateMeasure>& measures, const GateMeasure& error) {
@@ -195,6 +208,8 @@ GateVerdict judge_gate(const GateRun& run, const GateRun* baseline, bool worse, 
   add(GateClass::error, rmse, limits.error);
   if (baseline != nullptr && !worse) verdict.measures.back().value.reset();
   verdict.kind = main_fault(causes, verdict.measures.back());
+  if (verdict.kind == GateClass::softness && is_too_wide(run, baseline))
+    verdict.kind = GateClass::penumbra_too_wide;
   return verdict;
 }
 

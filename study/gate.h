@@ -15,12 +15,13 @@
 
 namespace umbrameter {
 
-/// What a run can be found guilty of. The first four void the rest: nothing else can be told then.
+/// What a run can be found guilty of. The first five void the rest: nothing else can be told then.
 enum class GateClass : uint8_t {
   failure,  // no picture
   metric,   // the metrics miss known answers
   truth,    // the reference contradicts itself
-  parity,   // the renderers see other surfaces or another light
+  parity,   // the renderers see other surfaces
+  light,    // the same surfaces under another light
   acne,     // this and the next seven: shares of the error by fault class
   terminator,
   extra_shadow,
@@ -29,14 +30,15 @@ enum class GateClass : uint8_t {
   bleed,
   geometric_leak,
   lost_shadow,
-  softness,   // penumbrae of the wrong width, or wrong in a way no width describes
-  hardening,  // of the wrong width where they should widen or narrow
-  offset,     // edges in the wrong place
+  softness,           // penumbrae of the wrong width, or wrong in a way no width describes
+  penumbra_too_wide,  // the same, where most of what is wrong is softness beyond the true one
+  hardening,          // of the wrong width where they should widen or narrow
+  offset,             // edges in the wrong place
   noise,
   banding,
   error,  // far from the truth, and none of the above
 };
-inline constexpr size_t kGateClasses = 18;
+inline constexpr size_t kGateClasses = 20;
 
 /// The enumerator's own word.
 std::string_view name_of(GateClass kind);
@@ -47,6 +49,7 @@ struct GateRun {
   std::vector<std::string> metric_problems;  // study/metric_probe.h
   std::vector<std::string> truth_problems;   // metrics/truth_check.h
   bool parity_passes = true;
+  bool is_other_light = false;  // where parity fails: the surfaces agree, the light on them does not
   std::optional<VisibilityError> error;
   std::optional<Diagnosis> diagnosis;
 };

@@ -26,7 +26,7 @@ void add_width_maps(std::span<const PenumbraProfile> profiles, std::span<const u
     if (mask[i] == 0 || nearest[i] < 0) continue;
     const PenumbraProfile& profile = *at[static_cast<size_t>(nearest[i])];
     if (distance_px(static_cast<int64_t>(i), nearest[i], maps.width) > profile.reference_width_px) continue;
-    octaves[i] = static_cast<float>(std::log2(profile.test_width_world / profile.reference_width_world));
+    octaves[i] = static_cast<float>(profile.width_octaves);
     offset[i] = static_cast<float>(profile.offset_world);
     known[i] = 1.0f;
   }

@@ -233,9 +233,13 @@ void score_techniques(const SceneContext& context, const Image& reference, std::
 
 TechniqueFrame* baseline_of(const ValidationPlan& plan, std::span<TechniqueFrame> runs) {
   if (!plan.metrics.verdict) return nullptr;
-  const auto baseline = std::ranges::find_if(runs, [&](const TechniqueFrame& run) {
-    return run.result.error && (plan.baseline.empty() || run.result.label == plan.baseline);
-  });
+  const auto find = [&](std::string_view label) {
+    return std::ranges::find_if(runs, [&](const TechniqueFrame& run) {
+      return run.result.error && (label.empty() || run.result.label == label);
+    });
+  };
+  auto baseline = find(plan.baseline.empty() ? "hard" : plan.baseline);
+  if (baseline == runs.end() && plan.baseline.empty()) baseline = find({});
   return baseline == runs.end() ? nullptr : &*baseline;
 }
 

@@ -48,8 +48,8 @@ struct ValidationPlan {
   int temporal_frames = 0;       // of each sequence; 0 leaves them out
   std::vector<TechniqueRun> techniques;
   MetricChoice metrics;
-  std::string
-      baseline;  // label of the technique that verdicts compare with; empty = a scene's first with a result
+  /// Label of the technique that verdicts compare with; empty: `hard` where it has a result, else a scene's first that has.
+  std::string baseline;
   std::optional<double> limit_rmse;
   bool maps = false;  // also an EXR of study/maps.h a run
   bool skip = true;   // what a scene does not need; off: everything is rendered and scored

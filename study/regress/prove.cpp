@@ -51,11 +51,11 @@ class StagedTruth : public Renderer {
   int parts_;
 };
 
-RegressPlan plan_of(const SelftestSettings& settings, int samples_per_pixel, const RegressGates& gates) {
+RegressPlan plan_of(const SelftestRound& round, int samples_per_pixel, const RegressGates& gates) {
   RegressPlan plan;
   plan.suite = "proof";
-  plan.picture.width_px = settings.width_px;
-  plan.picture.height_px = settings.height_px;
+  plan.picture.width_px = round.width_px;
+  plan.picture.height_px = round.height_px;
   plan.picture.samples_per_pixel = samples_per_pixel;
   plan.most_samples_per_pixel = 2 * samples_per_pixel;
   plan.gates = gates;
@@ -137,8 +137,9 @@ std::vector<ProvedFault> prove_faults(std::span<const SceneJob> jobs, const Self
   SilentProgress silent;
   progress.begin("faults", jobs.size());
   for (const SceneJob& job : jobs) {
-    Stage stage(job, settings, renderers, silent);
-    Proof proof{job, stage, plan_of(settings, samples_per_pixel, gates), {}};
+    const SelftestRound& round = settings.rounds.front();
+    Stage stage(job, settings, round, renderers, silent);
+    Proof proof{job, stage, plan_of(round, samples_per_pixel, gates), {}};
     for (const FaultCase& fault : fault_list()) {
       if (fault.scene == job.name) all.push_back(proved(fault, proof));
     }

@@ -14,7 +14,8 @@ std::string void_message(const GateRun& run) {
   if (run.failure) return run.failure->message;
   if (!run.metric_problems.empty()) return run.metric_problems.front();
   if (!run.truth_problems.empty()) return run.truth_problems.front();
-  return "the renderers see other surfaces or another light";
+  return run.is_other_light ? "the renderers see the same surfaces under another light"
+                            : "the renderers see other surfaces";
 }
 
 }  // namespace

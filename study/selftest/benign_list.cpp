@@ -32,7 +32,7 @@ MakeTrial painted_on_exact(Injected (*paint)(const Canvas&)) {
 }
 
 Trial other_truth(Stage& stage) {
-  Trial trial = against_soft(stage.picture(kSoft, 2));
+  Trial trial = against_soft(stage.picture(kSoft, stage.seed() + 1));
   trial.truth = stage.exact();
   return trial;
 }

@@ -1,125 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/selftest/fault_list.h"
 
-#include "study/guard.h"
-#include "study/selftest/injection.h"
-#include "study/selftest/mutant.h"
-#include "study/selftest/scene_change.h"
+#include "study/selftest/trial_makers.h"
 
 #include <array>
-#include <cmath>
+#include <utility>
 
 namespace umbrameter {
 namespace {
 
 using enum GateClass;
-using SceneChange = std::function<Scene(const Scene&)>;
-
-TechniqueChoice choice(const std::string& technique, const ParameterValues& parameters = {}) {
-  return with({technique, {{"map_size", int64_t{1024}}}}, parameters);
-}
 
 const TechniqueChoice kSoft = soft_shadows();
-/// Biased as maps are without a receiver plane.
-const TechniqueChoice kBiased = with(
-    kSoft, {{"receiver_plane", std::string("none")}, {"bias_texels", 1.0}, {"normal_offset_texels", 1.0}});
-const TechniqueChoice kFixed = choice("pcf_disk", {{"taps", int64_t{64}}, {"radius_texels", 8.0}});
-const TechniqueChoice kVariance = choice("vsm", {{"filter_width_texels", 9.0}, {"bleed_reduction", 0.3}});
+const TechniqueChoice kBiased = biased_shadows();
+const TechniqueChoice kFixed = fixed_filter();
+const TechniqueChoice kVariance = variance_shadows();
 const TechniqueChoice kWarped = choice("evsm", {{"filter_width_texels", 9.0}});
 const TechniqueChoice kExponential = choice("esm", {{"filter_width_texels", 3.0}});
-
-// A picture that cannot be made is a trial, too.
-Trial trial_of(const TechniqueChoice& baseline, const std::function<Image()>& render) {
-  Trial trial;
-  trial.baseline = baseline;
-  trial.failure = guarded([&] { trial.picture = render(); });
-  return trial;
-}
-
-MakeTrial instead(const TechniqueChoice& baseline, const TechniqueChoice& wrong) {
-  return [=](Stage& stage) { return trial_of(baseline, [&] { return stage.picture(wrong); }); };
-}
-
-MakeTrial changed(const TechniqueChoice& baseline, const ParameterValues& parameters) {
-  return instead(baseline, with(baseline, parameters));
-}
-
-MakeTrial patched(const TechniqueChoice& baseline, const std::string& name, const std::vector<Patch>& patches,
-                  const ParameterValues& parameters = {}) {
-  return [=](Stage& stage) {
-    const TechniqueChoice wrong = mutant(with(baseline, parameters), name, patches, stage.settings());
-    return trial_of(baseline, [&] { return stage.picture(wrong); });
-  };
-}
-
-MakeTrial of_scene(const TechniqueChoice& baseline, const SceneChange& change) {
-  return [=](Stage& stage) {
-    return trial_of(baseline, [&] { return stage.picture_of_shadows(baseline, change(stage.scene())); });
-  };
-}
-
-MakeTrial painted(const TechniqueChoice& baseline, Injected (*paint)(const Canvas&)) {
-  return [=](Stage& stage) {
-    const Image& picture = stage.picture(baseline);
-    Injected injected = paint({picture, stage.truth(), stage.examined(baseline).mask});
-    Trial trial = trial_of(baseline, [&] { return std::move(injected.picture); });
-    trial.injected = std::move(injected.pixels);
-    return trial;
-  };
-}
-
-/// A correct picture of a wrong scene.
-MakeTrial exact_of(const SceneChange& change) {
-  return [=](Stage& stage) {
-    Trial trial;
-    trial.picture = stage.truth_of_shadows(change(stage.scene()));
-    return trial;
-  };
-}
-
-MakeTrial against_truth(const std::function<Image(Stage&)>& truth) {
-  return [=](Stage& stage) {
-    Trial trial = trial_of(kSoft, [&] { return stage.picture(kSoft); });
-    trial.truth = truth(stage);
-    return trial;
-  };
-}
-
-MakeTrial against_shadows_of(const SceneChange& change) {
-  return against_truth([=](Stage& stage) { return stage.truth_of_shadows(change(stage.scene())); });
-}
-
-MakeTrial measured_by(const ErrorMetric& metric) {
-  return [=](Stage& stage) {
-    Trial trial = trial_of(kSoft, [&] { return stage.picture(kSoft); });
-    trial.metric = metric;
-    return trial;
-  };
-}
-
-SceneChange light_scaled(double factor) {
-  return [=](const Scene& scene) { return with_light_scaled(scene, factor); };
-}
-
-SceneChange light_moved(double share) {
-  return [=](const Scene& scene) { return with_light_moved(scene, share); };
-}
-
-SceneChange without(const std::string& part) {
-  return [=](const Scene& scene) { return without_part(scene, part); };
-}
-
-// Unity's fault of that kind left one cascade too soft.
-Trial softer_half(Stage& stage) {
-  const Image soft = stage.picture_of_shadows(kSoft, with_light_scaled(stage.scene(), 2.0));
-  Trial trial = trial_of(kSoft, [&] { return stage.picture(kSoft); });
-  const std::span<float> v = trial.picture.plane("visibility");
-  const size_t width = static_cast<size_t>(trial.picture.width);
-  for (size_t i = 0; i < v.size(); ++i) {
-    if (i % width < width / 2) v[i] = soft.plane("visibility")[i];
-  }
-  return trial;
-}
 
 Image one_seed_for_both_halves(Stage& stage) {
   Image truth = stage.truth();
@@ -178,24 +75,11 @@ std::vector<FaultCase> faults_of_techniques() {
       {"light's diameter for its radius",
        kOrigin,
        "half_plane_disk",
-       {softness},
+       {penumbra_too_wide},
        of_scene(kSoft, light_scaled(2.0))},
-      {"softer in one half", kOrigin, "half_plane", {softness}, softer_half},
-      {"hardens the wrong end",
-       kOrigin,
-       "sphere_terminator",
-       {hardening},
-       patched(
-           kSoft, "inverted",
-           {{"pcss.frag", "visible_share(light, receiver, z_blocker,",
-             "visible_share(light, receiver, view_light.depth_range.x + receiver.p_light.z - z_blocker,"}})},
-      {"constant width",
-       kOrigin,
-       "sphere_terminator",
-       {hardening},
-       patched(kSoft, "constant",
-               {{"pcss.frag", "visible_share(light, receiver, z_blocker,",
-                 "visible_share(light, receiver, 0.7 * receiver.p_light.z,"}})},
+      {"softer in one half", kOrigin, "half_plane", {penumbra_too_wide}, softer_half},
+      {"hardens the wrong end", kOrigin, "sphere_terminator", {hardening}, hardening_inverted()},
+      {"constant width", kOrigin, "sphere_terminator", {hardening}, hardening_absent()},
       {"kernel in texels, not in the world",
        kOrigin,
        "half_plane",
@@ -281,10 +165,14 @@ std::vector<FaultCase> faults_of_images() {
 std::vector<FaultCase> faults_of_references() {
   constexpr auto kOrigin = FaultOrigin::reference;
   return {
-      {"light faces another way", kOrigin, "plate", {parity}, against_truth([](Stage& stage) {
-         return stage.truth_of(with_light_turned(stage.scene(), 0.6), 1);
+      {"light faces another way", kOrigin, "plate", {light}, against_truth([](Stage& stage) {
+         return stage.truth_of(with_light_turned(stage.scene(), 0.6), stage.seed());
        })},
-      {"light of half the size", kOrigin, "half_plane", {softness}, against_shadows_of(light_scaled(0.5))},
+      {"light of half the size",
+       kOrigin,
+       "half_plane",
+       {penumbra_too_wide},
+       against_shadows_of(light_scaled(0.5))},
       {"only the light's centre", kOrigin, "plate", {truth}, against_shadows_of(light_scaled(1e-4))},
       {"one seed for both halves", kOrigin, "half_plane", {truth}, against_truth(one_seed_for_both_halves)},
       {"culls casters' lit faces",
@@ -310,14 +198,10 @@ std::string_view name_of(FaultOrigin origin) {
   return kNames[static_cast<size_t>(origin)];
 }
 
-TechniqueChoice soft_shadows() {
-  return choice("pcss", {{"search_taps", int64_t{32}}, {"filter_taps", int64_t{64}}});
-}
-
 std::vector<FaultCase> fault_list() {
   std::vector<FaultCase> all;
-  for (std::vector<FaultCase> part :
-       {faults_of_techniques(), faults_of_images(), faults_of_references(), faults_of_metrics()}) {
+  for (std::vector<FaultCase> part : {faults_of_techniques(), faults_of_images(), faults_of_references(),
+                                      faults_of_metrics(), faults_at_contacts(), faults_of_models()}) {
     all.insert(all.end(), part.begin(), part.end());
   }
   return all;

@@ -7,14 +7,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <iterator>
 
 namespace umbrameter {
 namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
-constexpr size_t kFirstMeasured = static_cast<size_t>(GateClass::acne);
+constexpr GateClass kFirstMeasured = GateClass::acne;
 
 std::optional<double> severity_of(const GateVerdict& verdict, GateClass kind) {
   std::optional<double> worst;
@@ -35,23 +35,36 @@ std::string cell(const std::optional<double>& severity) {
   return *severity > 1.0 ? "**" + text + "**" : text;
 }
 
+// Those that a measure decides; the others are names for what measures say together.
+bool is_measured(GateClass kind) {
+  return kind >= kFirstMeasured && kind != GateClass::penumbra_too_wide;
+}
+
+template <class Visit>
+void for_each_measured(const Visit& visit) {
+  for (size_t k = 0; k < kGateClasses; ++k) {
+    if (is_measured(static_cast<GateClass>(k))) visit(static_cast<GateClass>(k));
+  }
+}
+
 std::string fault_row(const FaultOutcome& fault) {
   std::string row = fmt::format("| {} | {} | {} |", fault.name, name_of(fault.origin), fault.scene);
-  for (size_t k = kFirstMeasured; k < kGateClasses; ++k) {
-    row += fmt::format(" {} |", cell(severity_of(fault.verdict, static_cast<GateClass>(k))));
-  }
+  for_each_measured(
+      [&](GateClass kind) { row += fmt::format(" {} |", cell(severity_of(fault.verdict, kind))); });
   const char* mark = fault.is_right() ? "" : fault.is_found() ? " (wrong)" : " (missed)";
   return row + fmt::format(" {}{} |\n", kind_text(fault.verdict), mark);
 }
 
-std::string fault_matrix(const SelftestResults& results) {
+std::string fault_matrix(const SelftestResults& results, const SelftestRound& round) {
   std::string head = "| fault | in | scene |", rule = "|---|---|---|";
-  for (size_t k = kFirstMeasured; k < kGateClasses; ++k) {
-    head += fmt::format(" {} |", name_of(static_cast<GateClass>(k)));
+  for_each_measured([&](GateClass kind) {
+    head += fmt::format(" {} |", name_of(kind));
     rule += "---|";
-  }
+  });
   std::string text = head + " verdict |\n" + rule + "---|\n";
-  for (const FaultOutcome& fault : results.faults) text += fault_row(fault);
+  for (const FaultOutcome& fault : results.faults) {
+    if (fault.round == round) text += fault_row(fault);
+  }
   return text;
 }
 
@@ -78,8 +91,24 @@ std::string by_scene(const std::vector<Outcome>& outcomes, const TextOf& text_of
   return text;
 }
 
-std::string benign_matrix(const SelftestResults& results) {
-  return by_scene(results.benign, [](const BenignOutcome& o) {
+template <class Outcome>
+std::vector<Outcome> in_round(const std::vector<Outcome>& outcomes, const SelftestRound& round) {
+  std::vector<Outcome> some;
+  std::ranges::copy_if(outcomes, std::back_inserter(some),
+                       [&](const Outcome& o) { return o.round == round; });
+  return some;
+}
+
+std::vector<SelftestRound> rounds_of(const SelftestResults& results) {
+  std::vector<SelftestRound> rounds;
+  for (const BenignOutcome& o : results.benign) {
+    if (std::ranges::find(rounds, o.round) == rounds.end()) rounds.push_back(o.round);
+  }
+  return rounds;
+}
+
+std::string benign_matrix(const SelftestResults& results, const SelftestRound& round) {
+  return by_scene(in_round(results.benign, round), [](const BenignOutcome& o) {
     return o.verdict.passes() ? fmt::format("{:.2f}", worst_severity(o.verdict))
                               : fmt::format("**{}**", kind_text(o.verdict));
   });
@@ -101,8 +130,9 @@ std::string mask_table(const SelftestResults& results) {
 }
 
 // What one scene says alone; the target is of all together.
-std::string recall_by_scene(const SelftestResults& results) {
-  return by_scene(results.masks, [](const MaskOutcome& mask) { return ratio_text(mask.recall()); });
+std::string recall_by_scene(const SelftestResults& results, const SelftestRound& round) {
+  return by_scene(in_round(results.masks, round),
+                  [](const MaskOutcome& mask) { return ratio_text(mask.recall()); });
 }
 
 OrderedJson verdict_json(const GateVerdict& verdict) {
@@ -116,16 +146,30 @@ OrderedJson verdict_json(const GateVerdict& verdict) {
   return {{"passes", verdict.passes()}, {"class", kind_text(verdict)}, {"measures", measures}};
 }
 
+OrderedJson round_json(const SelftestRound& round) {
+  return {{"width_px", round.width_px}, {"height_px", round.height_px}, {"seed", round.seed}};
+}
+
 }  // namespace
 
 std::string selftest_markdown(const SelftestResults& results) {
-  std::string text = results.faults.empty() ? "" : fault_matrix(results) + "\n";
-  text += benign_matrix(results) + "\n" + mask_table(results) + "\n" + recall_by_scene(results) + "\n";
-  text += fmt::format(
-      "found {} of {} faults, {} of the right class; {} false alarms in {} trials over {} scenes: {}\n",
-      results.found(), results.faults.size(), results.right(), results.false_alarms(), results.benign.size(),
-      results.scenes, results.passes() ? "passes" : "fails");
-  return text;
+  std::string text;
+  const std::vector<SelftestRound> rounds = rounds_of(results);
+  for (const SelftestRound& round : rounds) {
+    if (rounds.size() > 1) text += text_of(round) + ":\n\n";
+    if (!results.faults.empty()) text += fault_matrix(results, round) + "\n";
+    text += benign_matrix(results, round) + "\n" + recall_by_scene(results, round) + "\n";
+  }
+  text += mask_table(results) + "\n";
+  if (const BenignOutcome* nearest = results.nearest_benign()) {
+    text += fmt::format("nearest benign trial: {} of {} ({}), {:.2f} of its limit\n", nearest->name,
+                        nearest->scene, text_of(nearest->round), worst_severity(nearest->verdict));
+  }
+  return text + fmt::format(
+                    "found {} of {} faults, {} of the right class; {} false alarms in {} trials over {} "
+                    "scenes: {}\n",
+                    results.found(), results.faults.size(), results.right(), results.false_alarms(),
+                    results.benign.size(), results.scenes, results.passes() ? "passes" : "fails");
 }
 
 std::string selftest_json(const SelftestResults& results) {
@@ -136,18 +180,24 @@ std::string selftest_json(const SelftestResults& results) {
     faults.push_back({{"fault", fault.name},
                       {"in", name_of(fault.origin)},
                       {"scene", fault.scene},
+                      {"round", round_json(fault.round)},
                       {"expected", right},
                       {"found", fault.is_found()},
                       {"right", fault.is_right()},
                       {"verdict", verdict_json(fault.verdict)}});
   }
   for (const BenignOutcome& o : results.benign) {
-    benign.push_back({{"variant", o.name}, {"scene", o.scene}, {"verdict", verdict_json(o.verdict)}});
+    benign.push_back({{"variant", o.name},
+                      {"scene", o.scene},
+                      {"round", round_json(o.round)},
+                      {"severity", worst_severity(o.verdict)},
+                      {"verdict", verdict_json(o.verdict)}});
   }
   for (const MaskOutcome& mask : results.masks) {
     masks.push_back({{"painted", mask.name},
                      {"class", name_of(mask.fault)},
                      {"scene", mask.scene},
+                     {"round", round_json(mask.round)},
                      {"pixels", mask.painted},
                      {"precision", optional_json(mask.precision())},
                      {"recall", optional_json(mask.recall())}});

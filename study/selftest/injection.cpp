@@ -3,9 +3,13 @@
 
 #include "core/sampling/sobol.h"
 #include "metrics/nearest_feature.h"
+#include "metrics/separable_filter.h"
 #include "metrics/surface.h"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -16,6 +20,9 @@ constexpr float kLit = 0.99f, kUmbra = 0.01f;
 constexpr size_t kSlit_px = 3, kShortestSlit_px = 8, kLongestSlit_px = 40;
 constexpr double kFarBlocker_px = 24.0, kGap_px = 4.0;  // extents of a pixel on the receiver
 constexpr double kOpen_px = 24.0;
+constexpr size_t kBlur_px = 11;
+constexpr float kGrazing = 0.3f;         // of the largest irradiance
+constexpr double kBentCosine = 0.99985;  // one degree
 constexpr uint32_t kSpeckleOf = 500;
 constexpr double kStripe_px = 6.0;
 constexpr float kFaintestStripe = 0.05f;
@@ -28,10 +35,17 @@ struct Reader {
         r(canvas.truth.plane("visibility")),
         blocker(canvas.truth.plane("blocker_distance_min")),
         layers(canvas.truth.plane("blocker_layers")),
-        surface(checked_surface(canvas.truth)) {}
+        surface(checked_surface(canvas.truth)),
+        normal{canvas.truth.plane("shading_normal.x"), canvas.truth.plane("shading_normal.y"),
+               canvas.truth.plane("shading_normal.z")} {}
 
   bool lit(size_t i) const { return mask[i] != 0 && r[i] > kLit; }
   bool umbra(size_t i) const { return mask[i] != 0 && r[i] < kUmbra; }
+  /// Whether shading and geometric normal differ: a smooth mesh of facets.
+  bool bent(size_t i) const {
+    const glm::dvec3 shading = {normal[0][i], normal[1][i], normal[2][i]};
+    return glm::dot(shading, surface.n_world(i)) < kBentCosine;
+  }
   bool blocked_from_far(size_t i) const {
     return umbra(i) && blocker[i] > kFarBlocker_px * pixel_extent_world(surface, i);
   }
@@ -40,6 +54,7 @@ struct Reader {
   std::span<const uint8_t> mask;
   std::span<const float> r, blocker, layers;
   SurfaceView surface;
+  std::array<std::span<const float>, 3> normal;
 };
 
 // paint(v, i) gives the new visibility of pixels where `where` holds.
@@ -178,6 +193,31 @@ Injected bleeding(const Canvas& canvas) {
   return painted(
       canvas, [&](size_t i) { return reader.umbra(i) && reader.layers[i] >= 2.0f; },
       [](float v, size_t) { return v + 0.15f; });
+}
+
+Injected picture_blur(const Canvas& canvas) {
+  const Kernel box = {std::vector<float>(kBlur_px, 1.0f / static_cast<float>(kBlur_px))};
+  const int width = canvas.picture.width, height = canvas.picture.height;
+  const std::vector<float> once = filter(canvas.picture.plane("visibility"), width, height, box, box);
+  const std::vector<float> twice = filter(once, width, height, box, box);
+  return painted(
+      canvas, [](size_t) { return true; }, [&](float, size_t i) { return twice[i]; });
+}
+
+Injected terminator_cured(const Canvas& canvas) {
+  const Reader reader(canvas);
+  const auto irradiance = canvas.truth.plane("unshadowed_irradiance");
+  float largest = 0.0f;
+  for (size_t i = 0; i < irradiance.size(); ++i)
+    largest = reader.mask[i] != 0 ? std::max(largest, irradiance[i]) : largest;
+  return painted(
+      canvas,
+      [&](size_t i) {
+        return reader.bent(i) && irradiance[i] < kGrazing * largest &&
+               (reader.layers[i] == 0.0f ||
+                reader.blocker[i] < kGap_px * pixel_extent_world(reader.surface, i));
+      },
+      full_light);
 }
 
 Injected jitter(const Canvas& canvas) {

@@ -38,6 +38,10 @@ Injected stripes_in_the_open(const Canvas& canvas);
 Injected contact_gap(const Canvas& canvas);
 /// .15 more light in the umbra of two blockers or more.
 Injected bleeding(const Canvas& canvas);
+/// A box of 11 px over the whole picture, twice: over outlines, too.
+Injected picture_blur(const Canvas& canvas);
+/// Full light where a smooth mesh's own facets hide the light that only just reaches its smooth normal.
+Injected terminator_cured(const Canvas& canvas);
 /// Every value moved by -1, 0 or 1 of 255.
 Injected jitter(const Canvas& canvas);
 

@@ -45,7 +45,7 @@ Judged judge(const Trial& trial, Stage& stage) {
 void keep_pictures(const std::string& name, const Trial& trial, const Judged& judged, const Stage& stage) {
   const std::filesystem::path& folder = stage.settings().pictures_folder;
   if (folder.empty() || trial.failure) return;
-  const std::string stem = file_name_of(stage.name() + ", " + name);
+  const std::string stem = file_name_of(stage.name() + ", " + name + ", " + text_of(stage.round()));
   write_picture(folder / (stem + ".png"), visibility_picture(trial.picture));
   if (judged.examined.fault_classes.empty()) return;
   write_picture(folder / (stem + "-faults.png"),
@@ -63,7 +63,7 @@ std::optional<MaskOutcome> count_mask(const MaskCase& mask, Stage& stage) {
   if (std::ranges::count(trial.injected, uint8_t{1}) == 0) return std::nullopt;
   const Judged judged = judge(trial, stage);
   keep_pictures(mask.name, trial, judged, stage);
-  MaskOutcome out = {mask.name, stage.name(), mask.fault};
+  MaskOutcome out = {mask.name, stage.name(), stage.round(), mask.fault};
   for (size_t i = 0; i < trial.injected.size(); ++i) {
     const bool is_painted = trial.injected[i] != 0;
     const bool is_found =
@@ -107,11 +107,17 @@ size_t SelftestResults::false_alarms() const {
       std::ranges::count_if(benign, [](const BenignOutcome& o) { return !o.verdict.passes(); }));
 }
 
+const BenignOutcome* SelftestResults::nearest_benign() const {
+  const auto nearest =
+      std::ranges::max_element(benign, {}, [](const BenignOutcome& o) { return worst_severity(o.verdict); });
+  return nearest == benign.end() ? nullptr : &*nearest;
+}
+
 std::vector<MaskOutcome> SelftestResults::masks_over_scenes() const {
   std::vector<MaskOutcome> sums;
   for (const MaskOutcome& mask : masks) {
     auto sum = std::ranges::find(sums, mask.name, &MaskOutcome::name);
-    if (sum == sums.end()) sum = sums.insert(sums.end(), MaskOutcome{mask.name, "", mask.fault});
+    if (sum == sums.end()) sum = sums.insert(sums.end(), MaskOutcome{mask.name, "", {}, mask.fault});
     sum->painted += mask.painted;
     sum->found += mask.found;
     sum->both += mask.both;
@@ -124,6 +130,7 @@ bool SelftestResults::passes(const SelftestTargets& targets) const {
     return mask.precision().value_or(0.0) >= targets.mask && mask.recall().value_or(0.0) >= targets.mask;
   });
   return !benign.empty() && found() == faults.size() && false_alarms() == 0 && masks_pass &&
+         worst_severity(nearest_benign()->verdict) <= targets.nearest &&
          static_cast<double>(right()) >= targets.right * static_cast<double>(faults.size());
 }
 
@@ -133,31 +140,28 @@ SelftestResults run_selftest(std::span<const SceneJob> jobs, const SelftestSetti
   const std::vector<BenignVariant> variants = benign_list();
   const std::vector<MaskCase> masks = mask_list();
   SelftestResults results;
-  std::vector<std::optional<FaultOutcome>> outcomes(faults.size());
-  progress.begin("selftest", jobs.size());
+  results.scenes = jobs.size();
+  progress.begin("selftest", jobs.size() * settings.rounds.size());
   SilentProgress silent;
-  for (const SceneJob& job : jobs) {
-    Stage stage(job, settings, renderers, silent);
-    for (const BenignVariant& variant : variants) {
-      results.benign.push_back(
-          {variant.name, job.name, judge_and_keep(variant.name, variant.make(stage), stage)});
+  for (const SelftestRound& round : settings.rounds) {
+    for (const SceneJob& job : jobs) {
+      Stage stage(job, settings, round, renderers, silent);
+      for (const BenignVariant& variant : variants) {
+        results.benign.push_back(
+            {variant.name, job.name, round, judge_and_keep(variant.name, variant.make(stage), stage)});
+      }
+      for (const MaskCase& mask : masks) {
+        if (const auto outcome = count_mask(mask, stage)) results.masks.push_back(*outcome);
+      }
+      for (const FaultCase& fault : faults) {
+        if (fault.scene != job.name) continue;
+        results.faults.push_back({fault.name, fault.scene, round, fault.origin, fault.right,
+                                  judge_and_keep(fault.name, fault.make(stage), stage)});
+      }
+      progress.advance(1);
     }
-    for (const MaskCase& mask : masks) {
-      if (const auto outcome = count_mask(mask, stage)) results.masks.push_back(*outcome);
-    }
-    for (size_t k = 0; k < faults.size(); ++k) {
-      const FaultCase& fault = faults[k];
-      if (fault.scene != job.name) continue;
-      outcomes[k] = {fault.name, fault.scene, fault.origin, fault.right,
-                     judge_and_keep(fault.name, fault.make(stage), stage)};
-    }
-    ++results.scenes;
-    progress.advance(1);
   }
   progress.end();
-  for (std::optional<FaultOutcome>& outcome : outcomes) {
-    if (outcome) results.faults.push_back(std::move(*outcome));
-  }
   return results;
 }
 

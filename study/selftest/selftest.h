@@ -15,6 +15,7 @@ namespace umbrameter {
 
 struct FaultOutcome {
   std::string name, scene;
+  SelftestRound round;
   FaultOrigin origin = FaultOrigin::technique;
   std::vector<GateClass> right;
   GateVerdict verdict;
@@ -24,12 +25,14 @@ struct FaultOutcome {
 
 struct BenignOutcome {
   std::string name, scene;
+  SelftestRound round;
   GateVerdict verdict;
 };
 
 /// Pixels of one class against those that were painted.
 struct MaskOutcome {
   std::string name, scene;
+  SelftestRound round;
   FaultClass fault = FaultClass::acne;
   size_t painted = 0, found = 0, both = 0;
   std::optional<double> precision() const;
@@ -37,8 +40,9 @@ struct MaskOutcome {
 };
 
 struct SelftestTargets {
-  double right = 0.95;  // share of faults
-  double mask = 0.95;   // precision and recall
+  double right = 0.95;   // share of faults
+  double nearest = 0.8;  // of its limit that a benign trial may come to
+  double mask = 0.95;    // precision and recall
 };
 
 struct SelftestResults {
@@ -46,13 +50,15 @@ struct SelftestResults {
   std::vector<FaultOutcome> faults;
   std::vector<BenignOutcome> benign;
   std::vector<MaskOutcome> masks;  // of scenes with a place for them
-  /// Sums over scenes, one a mask; `scene` is empty.
+  /// The benign trial that came nearest to a limit; null without any.
+  const BenignOutcome* nearest_benign() const;
+  /// Sums over scenes and rounds, one a mask; `scene` is empty.
   std::vector<MaskOutcome> masks_over_scenes() const;
   size_t found() const, right() const, false_alarms() const;
   bool passes(const SelftestTargets& targets = {}) const;
 };
 
-/// Every fault whose scene is among `jobs`, every benign variant and painted mask on all of them. Errors of renderers pass
+/// Every fault whose scene is among `jobs`, every benign variant and painted mask on all of them, in every round. Errors of renderers pass
 /// through, but for those that a fault provokes.
 SelftestResults run_selftest(std::span<const SceneJob> jobs, const SelftestSettings& settings,
                              SelftestRenderers renderers, Progress& progress);

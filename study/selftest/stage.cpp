@@ -59,6 +59,7 @@ Examined examine(const Image& picture, const Image& truth, const glm::dvec3& eye
   out.run.failure = guarded([&] { score = score_image(picture, truth, eye_world); });
   if (out.run.failure) return out;
   out.run.parity_passes = score.parity.passes;
+  out.run.is_other_light = score.parity.is_other_light;
   if (!score.parity.passes) return out;
   out.run.truth_problems = truth_problems(truth, score.mask);
   out.run.error = score.error;
@@ -69,8 +70,18 @@ Examined examine(const Image& picture, const Image& truth, const glm::dvec3& eye
   return out;
 }
 
-Stage::Stage(SceneJob job, const SelftestSettings& settings, SelftestRenderers renderers, Progress& progress)
-    : job_(std::move(job)), settings_(settings), renderers_(renderers), progress_(progress) {}
+std::string text_of(const SelftestRound& round) {
+  return fmt::format("{} x {} px, seed {}", round.width_px, round.height_px, round.seed);
+}
+
+Stage::Stage(SceneJob job, const SelftestSettings& settings, const SelftestRound& round,
+             SelftestRenderers renderers, Progress& progress)
+    : job_(std::move(job)),
+      settings_(settings),
+      round_(round),
+      renderers_(renderers),
+      progress_(progress),
+      seed_(round.seed) {}
 
 std::string Stage::key_of(const std::string& what) const {
   return fmt::format("{} {}", seed_, what);
@@ -78,8 +89,8 @@ std::string Stage::key_of(const std::string& what) const {
 
 Image Stage::render(Renderer& renderer, const Scene& scene, uint64_t seed, const TechniqueChoice& choice) {
   RenderRequest request;
-  request.width_px = settings_.width_px;
-  request.height_px = settings_.height_px;
+  request.width_px = round_.width_px;
+  request.height_px = round_.height_px;
   request.seed = seed;
   request.technique = choice.technique;
   request.parameters = choice.parameters;

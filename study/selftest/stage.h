@@ -19,9 +19,18 @@ struct SelftestRenderers {
   Renderer& realtime;
 };
 
-struct SelftestSettings {
+/// A size and samples that everything is tried with.
+struct SelftestRound {
   int width_px = 320;
   int height_px = 180;
+  uint64_t seed = 1;
+  auto operator<=>(const SelftestRound&) const = default;
+};
+/// "320 x 180 px, seed 1".
+std::string text_of(const SelftestRound& round);
+
+struct SelftestSettings {
+  std::vector<SelftestRound> rounds = {SelftestRound{}};
   bool benign_only = false;                                 // and masks, but no faults
   std::filesystem::path techniques_folder, shaders_folder;  // to make mutants from
   std::filesystem::path scratch_folder;                     // where mutants go
@@ -48,14 +57,18 @@ Examined examine(const Image& picture, const Image& truth, const glm::dvec3& eye
 
 class Stage {
  public:
-  Stage(SceneJob job, const SelftestSettings& settings, SelftestRenderers renderers, Progress& progress);
+  Stage(SceneJob job, const SelftestSettings& settings, const SelftestRound& round,
+        SelftestRenderers renderers, Progress& progress);
 
   const std::string& name() const { return job_.name; }
   const Scene& scene() const { return job_.scene; }
   const SelftestSettings& settings() const { return settings_; }
+  const SelftestRound& round() const { return round_; }
+  /// Of its truths and pictures unless they name another: the round's, or the last `repeat`'s.
+  uint64_t seed() const { return seed_; }
   const glm::dvec3& eye_world() const { return job_.scene.camera.eye_world; }
 
-  /// Truths and pictures that name no seed are of this one from here on; 1 before.
+  /// Truths and pictures that name no seed are of this one from here on.
   void repeat(uint64_t seed) { seed_ = seed; }
 
   const Image& truth();
@@ -80,9 +93,10 @@ class Stage {
 
   SceneJob job_;
   SelftestSettings settings_;
+  SelftestRound round_;
   SelftestRenderers renderers_;
   Progress& progress_;
-  uint64_t seed_ = 1;
+  uint64_t seed_;
   std::map<std::string, Image> pictures_;
   std::map<std::string, Examined> examined_;
 };

@@ -49,6 +49,7 @@ StressMeasure measure_stress(const Image& picture, const Image& reference, const
   out.run.failure = guarded([&] {
     score = score_image(picture, reference, eye_world, {{.significance = false, .verdict = false}, {}});
     out.run.parity_passes = score.parity.passes;
+    out.run.is_other_light = score.parity.is_other_light;
     if (!score.error) return;
     out.run.error = measure_visibility_error(picture, reference, score.mask, {.tile_px = kTile_px});
     out.scored_pixels = out.run.error->scored_pixels;

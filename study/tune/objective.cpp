@@ -34,10 +34,8 @@ std::optional<ObjectiveValue> measure_rmse(const Image& test, const Image& refer
 std::optional<double> squared_octaves(const PenumbraProfile& profile) {
   switch (profile.outcome) {
     case ProfileOutcome::accepted: {
-      const double octaves = std::log2(profile.test_width_world / profile.reference_width_world);
-      // A width of nothing is infinitely many octaves off; lost is as wrong as an edge can be.
-      return std::isfinite(octaves) ? std::min(octaves * octaves, kLostOctaves * kLostOctaves)
-                                    : kLostOctaves * kLostOctaves;
+      // Lost is as wrong as an edge can be.
+      return std::min(profile.width_octaves * profile.width_octaves, kLostOctaves * kLostOctaves);
     }
     case ProfileOutcome::test_unreached:
     case ProfileOutcome::test_not_monotone:

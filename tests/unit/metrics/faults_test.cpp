@@ -207,10 +207,11 @@ TEST(Faults, DarkFacetsWhereNormalsDisagreeAreTheTerminator) {
 }
 
 TEST(Faults, WrongSoftnessIsOfThePenumbra) {
-  for (const double factor : {0.05, 0.5, 2.0}) {
+  for (const double factor : {0.05, 0.5, 2.0, 3.0}) {
+    const FaultClass softness = factor < 1.0 ? FaultClass::penumbra : FaultClass::penumbra_too_wide;
     const Faults faults = classify(half_plane(0.2 * factor), half_plane());
-    EXPECT_GT(faults.of(FaultClass::penumbra).pixels, 200u) << factor;
-    EXPECT_EQ(pixels_but(faults, {FaultClass::penumbra}), 0u) << factor;
+    EXPECT_GT(faults.of(softness).pixels, 200u) << factor;
+    EXPECT_EQ(pixels_but(faults, {softness}), 0u) << factor;
   }
 }
 

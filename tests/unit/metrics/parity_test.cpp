@@ -45,6 +45,17 @@ TEST(Parity, AnEmptyFrameAgreesWithAnEmptyFrame) {
   EXPECT_EQ(parity.classes[3], ParityClass::background);
 }
 
+TEST(Parity, TheSameSurfacesUnderAnotherLightAreToldFromOtherSurfaces) {
+  const Image reference = wall(100, 10);
+  Image test = reference;
+  for (size_t i = 0; i < 900; ++i) test.plane("unshadowed_irradiance")[i] = 1.0f;
+  EXPECT_FALSE(compare_surfaces(test, reference, kEye).passes);
+  EXPECT_TRUE(compare_surfaces(test, reference, kEye).is_other_light);
+  for (size_t i = 0; i < 10; ++i) test.plane("primitive_id")[i] = -1.0f;  // 1 % has no surface
+  EXPECT_FALSE(compare_surfaces(test, reference, kEye).is_other_light);
+  EXPECT_FALSE(compare_surfaces(reference, reference, kEye).is_other_light);
+}
+
 TEST(Parity, EachDisagreementGetsItsOwnClass) {
   const Image reference = wall(10, 1);
   Image test = reference;

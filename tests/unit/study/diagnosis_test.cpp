@@ -97,6 +97,45 @@ TEST(DiagnosisLines, CountRejectedProfilesByCause) {
             "10 accepted, 5 rejected (3 discontinuity, 2 test unreached)");
 }
 
+Diagnosis with_parts(const std::vector<std::pair<FaultClass, double>>& parts) {
+  Diagnosis diagnosis;
+  diagnosis.faults.mean_abs_error = 0.0;
+  for (const auto& [fault, part] : parts) {
+    diagnosis.faults.by_class[static_cast<size_t>(fault)].mean_abs_error = part;
+    *diagnosis.faults.mean_abs_error += part;
+  }
+  return diagnosis;
+}
+
+TEST(Faults, EveryClassAboveATenthOfTheErrorIsNamed) {
+  const Diagnosis diagnosis = with_parts({{FaultClass::explained, 0.05},
+                                          {FaultClass::acne, 0.012},
+                                          {FaultClass::penumbra_too_wide, 0.03},
+                                          {FaultClass::bleed, 0.008}});
+  EXPECT_EQ(format_faults(diagnosis), "penumbra too wide 0.03000, acne 0.01200");
+  EXPECT_EQ(format_faults(with_parts({{FaultClass::explained, 1.0}, {FaultClass::acne, 0.01}})),
+            "acne 0.01000");
+  EXPECT_EQ(format_faults(with_parts({{FaultClass::explained, 1.0}})), "none");
+  EXPECT_EQ(format_faults(std::nullopt), "n/a");
+}
+
+TEST(Faults, WhatGrewAgainstTheBaselineIsNamed) {
+  const Diagnosis baseline =
+      with_parts({{FaultClass::penumbra, 0.05}, {FaultClass::acne, 0.01}, {FaultClass::bleed, 0.001}});
+  const Diagnosis now =
+      with_parts({{FaultClass::penumbra, 0.01}, {FaultClass::acne, 0.02}, {FaultClass::bleed, 0.003}});
+  EXPECT_EQ(format_growth(now, baseline), "+acne 0.01000");
+  EXPECT_EQ(format_growth(baseline, baseline), "nothing");
+  EXPECT_EQ(format_growth(now, std::nullopt), "n/a");
+}
+
+TEST(DiagnosisLines, SayHowManyProfilesAreStretches) {
+  Diagnosis diagnosis;
+  diagnosis.penumbra.outcomes = {10, 0, 0, 0, 0, 0, 0, 0};
+  diagnosis.penumbra.partial = 4;
+  EXPECT_EQ(penumbra_lines(diagnosis)[2].second, "10 accepted, 0 rejected, 4 by a stretch");
+}
+
 TEST(DiagnosisLines, NeverShowAFaultThatIsThereAsNothing) {
   Diagnosis diagnosis;
   diagnosis.faults.by_class[static_cast<size_t>(FaultClass::acne)] = {3, 1, 2e-7};

@@ -76,6 +76,21 @@ TEST(Gate, AWrongPenumbraIsToldByItsShape) {
   EXPECT_EQ(judge_gate(run, nullptr, false).kind, GateClass::hardening);
 }
 
+TEST(Gate, SoftnessThatIsMostlyBeyondTheTrueOneIsTooWide) {
+  GateRun run = with_share(FaultClass::penumbra_too_wide, 0.01);
+  EXPECT_EQ(judge_gate(run, nullptr, false).kind, GateClass::penumbra_too_wide);
+  const auto set = [&](FaultClass fault, double part) {
+    run.diagnosis->faults.by_class[static_cast<size_t>(fault)].mean_abs_error = part;
+  };
+  set(FaultClass::penumbra, 0.02);
+  EXPECT_EQ(judge_gate(run, nullptr, false).kind, GateClass::softness);
+  // Of what is more than the baseline's.
+  const GateRun baseline = with_share(FaultClass::penumbra, 0.018);
+  EXPECT_EQ(judge_gate(run, &baseline, false).kind, GateClass::penumbra_too_wide);
+  set(FaultClass::acne, 0.05);
+  EXPECT_EQ(judge_gate(run, nullptr, false).kind, GateClass::acne);
+}
+
 TEST(Gate, WhatTheBaselineDoesNotLetMeasureIsNotCompared) {
   GateRun run = clean_run();
   run.diagnosis->contact_hardening.slope = 0.0;
@@ -106,6 +121,8 @@ TEST(Gate, WhatVoidsARunIsSaidFirst) {
   GateRun run = with_share(FaultClass::acne, 0.1);
   run.parity_passes = false;
   EXPECT_EQ(judge_gate(run, nullptr, false).kind, GateClass::parity);
+  run.is_other_light = true;
+  EXPECT_EQ(judge_gate(run, nullptr, false).kind, GateClass::light);
   run.truth_problems = {"the halves are one"};
   EXPECT_EQ(judge_gate(run, nullptr, false).kind, GateClass::truth);
   run.metric_problems = {"mse is mae"};

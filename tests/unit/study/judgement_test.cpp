@@ -49,6 +49,14 @@ TEST_F(Judged, ComparesWithTheFirstTechniqueThatHasAResult) {
   EXPECT_EQ(result.techniques[3].judgement.verdict->outcome, Comparison::same);
 }
 
+TEST_F(Judged, ComparesWithHardWhereverItStands) {
+  ValidationPlan with_hard = plan();
+  with_hard.techniques[2].label = "hard";
+  const SceneResult result = scene(with_hard);
+  EXPECT_EQ(result.techniques[1].judgement.verdict->baseline, "hard");
+  EXPECT_FALSE(result.techniques[2].judgement.verdict);
+}
+
 TEST_F(Judged, ComparesWithTheBaselineThatWasAskedFor) {
   ValidationPlan asked = plan();
   asked.baseline = "exact";
