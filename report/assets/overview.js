@@ -2,6 +2,7 @@
 // The first screen: techniques x scenes as a heat map, which is also the way to every picture, and who is best for the time.
 
 const kAffordableFactor = 10;  // times the fastest run's time; the page's choice to begin with
+const kThumbnail_px = 240;
 const kHeatStops = [[0, 32, 77], [48, 70, 107], [104, 104, 112], [155, 140, 115], [207, 179, 97], [255, 234, 70]];  // cividis
 
 function heatColour(share) {
@@ -119,8 +120,8 @@ async function drawThumbnail(canvas, sceneIndex) {
   if (!entry) return;
   const planes = await scenePlanes(sceneIndex);
   const picture = paintBitmap(entry.width, entry.height, litColour(planes, planes, litScale(planes)));
-  canvas.width = 160;
-  canvas.height = Math.round(160 * entry.height / entry.width);
+  canvas.width = kThumbnail_px;
+  canvas.height = Math.round(kThumbnail_px * entry.height / entry.width);
   const context = canvas.getContext("2d");
   context.imageSmoothingQuality = "high";
   context.drawImage(picture, 0, 0, canvas.width, canvas.height);
@@ -133,7 +134,7 @@ function sceneHead(scene, sceneIndex) {
   canvas.setAttribute("aria-hidden", "true");
   const entry = page.scenes[sceneIndex];
   canvas.width = 160;
-  canvas.height = entry ? Math.round(160 * entry.height / entry.width) : 90;
+  canvas.height = Math.round(kThumbnail_px * (entry ? entry.height / entry.width : 9 / 16));
   link.append(canvas, scene.name.replaceAll("_", "_\u200b").replaceAll("/", "/\u200b"));
   cell.append(link);
   return cell;
@@ -143,6 +144,7 @@ function makeOverview() {
   const section = document.getElementById("overview"), table = document.getElementById("overview-map");
   if (results.scenes.length === 0) return;
   section.hidden = false;
+  table.style.setProperty("--scenes", results.scenes.length);
   for (const [name, metric] of Object.entries(overviewMetrics)) addOption(document.getElementById("overview-metric"), name, metric.label);
   const head = document.createElement("tr"), corner = document.createElement("th");
   corner.scope = "col";
