@@ -29,7 +29,9 @@ void add_report(CLI::App& app, CommandLine& line) {
   CLI::App* verb =
       app.add_subcommand("report", "make the HTML page of a results folder (default DIR/report.html)");
   verb->fallthrough();
-  verb->add_option("folder", *folder, "folder with results.json")->required();
+  verb->add_option("folder", *folder,
+                   "folder that validate, score, sweep, bench, tune, stress or regress wrote")
+      ->required();
   verb->callback(
       [folder, &line] { line.verb = [folder, &line] { return make_report(*folder, line.global); }; });
 }

@@ -65,7 +65,7 @@ std::string time_lines(const TechniqueResult& run) {
 
 std::string reference_facts(const Results& results, const SceneResult& scene) {
   const ReferenceResult& reference = *scene.reference;
-  return line("samples", fmt::format("{:.0f} a pixel on average", reference.mean_sample_count)) +
+  return line("samples", fmt::format("{:.0f} per pixel on average", reference.mean_sample_count)) +
          line("standard error", fmt::format("{:.2g} on average, {:.2g} at most", reference.mean_visibility_se,
                                             reference.max_visibility_se)) +
          (scene.parity ? line("parity", format_parity(*scene.parity)) : "") +

@@ -15,6 +15,8 @@
 #include "report/summary.h"
 #include "report/table.h"
 #include "study/results_json.h"
+#include "study/store/store.h"
+#include "study/sweep/stored_results.h"
 
 #include <fmt/format.h>
 
@@ -52,7 +54,7 @@ std::string devices(const Results& results) {
 std::string context(const Results& results) {
   const std::string target =
       results.picture.target_se ? fmt::format(", until standard error {}", *results.picture.target_se) : "";
-  return fmt::format("umbrameter {} ({}); quality {}, {} x {} px, {} samples a pixel{}, seed {}; {}",
+  return fmt::format("umbrameter {} ({}); quality {}, {} x {} px, {} samples per pixel{}, seed {}; {}",
                      results.version, results.commit, results.quality, results.picture.width_px,
                      results.picture.height_px, results.picture.samples_per_pixel, target,
                      results.picture.seed, devices(results));
@@ -61,9 +63,9 @@ std::string context(const Results& results) {
 /// Scripts in the order in which they need each other.
 std::string scripts() {
   std::string text;
-  for (const char* name :
-       {"planes.js", "noise.js", "layers.js", "viewer.js", "viewer_draw.js", "viewer_keys.js", "profile.js",
-        "charts.js", "sweeps.js", "bench.js", "stress.js", "table.js", "page.js"}) {
+  for (const char* name : {"planes.js", "noise.js", "layers.js", "lit.js", "viewer.js", "viewer_draw.js",
+                           "viewer_keys.js", "profile.js", "charts.js", "sweeps.js", "bench.js", "stress.js",
+                           "table.js", "overview.js", "worst.js", "page.js"}) {
     text += report_asset(name);
   }
   return text;
@@ -113,7 +115,11 @@ void write_report(const std::filesystem::path& folder, const std::filesystem::pa
   const Places places{folder, beside.empty() ? folder : beside};
   const std::filesystem::path results_file = folder / "results.json";
   std::optional<Results> results;
-  if (std::filesystem::exists(results_file) || side_files(places.beside).empty())
+  if (!std::filesystem::exists(results_file) && has_store(folder)) {
+    Store runs(folder, Database::Mode::read);
+    results = stored_results(runs);
+  }
+  if (!results && (std::filesystem::exists(results_file) || side_files(places.beside).empty()))
     results = parse_results(read_file(results_file), results_file.string());
   PlaneStore store(data_folder(html_file), budget_bytes);
   write_file_atomically(html_file, page_html(results, places, store));

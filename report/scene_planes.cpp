@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace umbrameter {
@@ -47,6 +48,13 @@ std::vector<uint8_t> hit_pixels(const Image& image) {
   return hit;
 }
 
+/// 1023 steps up to the largest: the lit picture is for the eye, and fewer steps pack better.
+PlaneCode lit_code(const Image& reference) {
+  const auto irradiance = reference.plane("unshadowed_irradiance");
+  const float largest = irradiance.empty() ? 0.0f : *std::ranges::max_element(irradiance);
+  return {0.0, largest > 0.0f ? largest / 1023.0 : 1.0, true};
+}
+
 Parcel reference_parcel(const Image& reference, const SceneResult& scene,
                         const std::filesystem::path& folder) {
   Parcel parcel;
@@ -57,6 +65,9 @@ Parcel reference_parcel(const Image& reference, const SceneResult& scene,
   }
   for (const char* name : {"position.x", "position.y", "position.z"}) {
     if (reference.has(name)) parcel.add(name, reference.plane(name), range_code(reference.plane(name)));
+  }
+  if (reference.has("unshadowed_irradiance")) {
+    parcel.add("unshadowed", reference.plane("unshadowed_irradiance"), lit_code(reference));
   }
   if (scene.parity && !scene.parity->picture_file.empty()) {
     parcel.add("parity", bytes_of(read_parity_picture(folder / scene.parity->picture_file)));
@@ -76,18 +87,27 @@ Json widths_json(const std::vector<WidthPair>& pairs) {
   return list;
 }
 
+/// From the error picture of a validation, or the plane that a sweep stores. Absent for a run that was not compared.
+std::optional<std::vector<uint8_t>> scored_pixels(const TechniqueResult& run, const Image& image,
+                                                  const std::filesystem::path& folder) {
+  if (!run.error_picture_file.empty()) return read_scored_pixels(folder / run.error_picture_file);
+  if (!run.error || !image.has("scored")) return std::nullopt;
+  std::vector<uint8_t> scored;
+  for (const float is_scored : image.plane("scored")) scored.push_back(is_scored > 0.0f ? 1 : 0);
+  return scored;
+}
+
 Json add_run(const TechniqueResult& run, const std::string& id, const Image& reference,
              const std::filesystem::path& folder, PlaneStore& store) {
-  if (run.picture_file.empty()) return nullptr;
+  if (run.image_file.empty()) return nullptr;
   const Image image = read_image(folder / run.image_file);
   require_same_size(image, reference, run.image_file);
   Parcel parcel;
   parcel.add("visibility", image.plane("visibility"), kTestVisibilityCode);
   std::vector<WidthPair> pairs;
-  if (!run.error_picture_file.empty()) {
-    const std::vector<uint8_t> scored = read_scored_pixels(folder / run.error_picture_file);
-    parcel.add("scored", scored);
-    if (run.diagnosis) pairs = measure_width_pairs(image, reference, scored);
+  if (const auto scored = scored_pixels(run, image, folder)) {
+    parcel.add("scored", *scored);
+    if (run.diagnosis) pairs = measure_width_pairs(image, reference, *scored);
   }
   if (!run.fault_picture_file.empty()) {
     parcel.add("faults", bytes_of(read_fault_picture(folder / run.fault_picture_file)));

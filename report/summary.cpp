@@ -3,12 +3,12 @@
 
 #include "core/html.h"
 #include "report/table.h"
-#include "study/diagnosis_format.h"
 #include "study/format.h"
 #include "study/judgement_format.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 namespace umbrameter {
@@ -33,32 +33,27 @@ std::string verdict_counts(const Results& results) {
       if (run.judgement.verdict) ++verdicts[format_verdict(run.judgement.verdict)];
     }
   }
-  std::string html = fmt::format("<p>{} scenes, {} runs, {} scored.", results.scenes.size(), runs, scored);
+  std::string html = fmt::format("<p>{} scene{}, {} run{}, {} scored.", results.scenes.size(),
+                                 results.scenes.size() == 1 ? "" : "s", runs, runs == 1 ? "" : "s", scored);
   if (!limits.empty()) html += " Limit: " + counted(limits) + ".";
   if (!verdicts.empty()) html += " Against the baseline: " + counted(verdicts) + ".";
   return html + "</p>\n";
 }
 
-const TechniqueResult* closest(const SceneResult& scene) {
-  const TechniqueResult* best = nullptr;
-  for (const TechniqueResult& run : scene.techniques) {
-    if (!run.error || !run.error->rmse) continue;
-    if (best == nullptr || run.error->rmse->value < best->error->rmse->value) best = &run;
-  }
-  return best;
+bool has_scored_run(const SceneResult& scene) {
+  return std::ranges::any_of(scene.techniques,
+                             [](const TechniqueResult& run) { return run.error.has_value(); });
 }
 
-std::string scene_line(const SceneResult& scene, size_t index) {
-  const TechniqueResult* best = closest(scene);
-  const std::string verdict =
-      scene.failure                           ? "failed"
-      : scene.parity && !scene.parity->passes ? "void: the two renderers disagree"
-      : best == nullptr
-          ? "nothing compared"
-          : fmt::format("closest to the truth: {}, RMSE {}, worst fault {}", best->label,
-                        format_interval(best->error->rmse), format_worst_fault(best->diagnosis));
+/// What keeps a scene from having numbers; empty where it has them (the overview shows those).
+std::string scene_problem(const SceneResult& scene, size_t index) {
+  const std::string problem = scene.failure                           ? "failed"
+                              : scene.parity && !scene.parity->passes ? "void: the two renderers disagree"
+                              : !has_scored_run(scene)                ? "nothing compared"
+                                                                      : "";
+  if (problem.empty()) return {};
   return fmt::format("<li><a href=\"#{}\">{}</a>: {}</li>\n", scene_anchor(index), escape_html(scene.name),
-                     escape_html(verdict));
+                     problem);
 }
 
 }  // namespace
@@ -74,7 +69,7 @@ std::string summary_verdicts(const Results& results) {
   }
   if (exceeds_limit(results)) html += "<p class=\"problem\">At least one technique exceeds the limit.</p>";
   html += verdict_counts(results) + "<ul class=\"scenes\">";
-  for (size_t i = 0; i < results.scenes.size(); ++i) html += scene_line(results.scenes[i], i);
+  for (size_t i = 0; i < results.scenes.size(); ++i) html += scene_problem(results.scenes[i], i);
   return html + "</ul>\n";
 }
 

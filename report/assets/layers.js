@@ -24,10 +24,10 @@ function grey(share) {
 const layers = {
   error: {
     label: "Signed error",
-    scale: shown => `${shown.isReference ? "V - R" : "V - other"}, blue -${palette.error_scale} too dark to red +${palette.error_scale} too bright`,
+    scale: shown => `${shown.isReference ? "V - R" : "V - other"}, blue -${errorScale(shown)} too dark to red +${errorScale(shown)} too bright`,
     has: shown => Boolean(shown.run.scored),
     colour: (shown, i) => shown.run.scored[i] === 0 ? palette.unscored
-        : signedColour((shown.run.visibility[i] - shown.other.visibility[i]) / palette.error_scale),
+        : signedColour((shown.run.visibility[i] - shown.other.visibility[i]) / errorScale(shown)),
   },
   z: {
     label: "z map (significance)",
@@ -76,9 +76,13 @@ function visibilityColour(planes, hit) {
   return i => hit[i] === 0 ? palette.background : grey(planes.visibility[i]);
 }
 
-// The run's picture with the chosen fault classes over it.
-function overlaidColour(shown, chosen) {
-  const plain = visibilityColour(shown.run, shown.scene.hit);
+// V at the ends of the signed error's colours: as the reader chose, else as the legend says.
+function errorScale(shown) {
+  return shown.errorScale ?? palette.error_scale;
+}
+
+// `plain` with the chosen fault classes over it.
+function overlaidColour(shown, chosen, plain) {
   if (!shown.run.faults || chosen.size === 0) return plain;
   return i => chosen.has(shown.run.faults[i]) ? palette.faults[shown.run.faults[i]].colour : plain(i);
 }

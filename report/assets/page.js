@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Theme, links into the page, and viewers that are made when they come into sight.
 
+const kShortTable = 40;  // rows that are shown unfolded
+
 let isDark = matchMedia("(prefers-color-scheme: dark)").matches;
 
 function applyTheme() {
@@ -25,16 +27,46 @@ function toggleTheme() {
   applyTheme();
 }
 
-// #scene-2-run-3 shows that run, with its numbers unfolded.
+// The view as a link's end: scene, run, and what is chosen in the viewer.
+function viewFragment(viewer) {
+  const {view, cursor} = viewer;
+  const state = new URLSearchParams({other: viewer.otherIndex, mode: viewer.mode, picture: viewer.picture, map: viewer.layer,
+                                     scale: viewer.errorScale, zoom: view.zoom.toFixed(2), x: view.x.toFixed(1), y: view.y.toFixed(1),
+                                     cursor: `${cursor.x},${cursor.y}`});
+  return `#scene-${viewer.sceneIndex + 1}-run-${viewer.runIndex + 1}?${state}`;
+}
+
+function linkHere(viewer) {
+  history.replaceState(null, "", viewFragment(viewer));
+  navigator.clipboard?.writeText(location.href).catch(() => {});  // the address bar has it anyway
+}
+
+// What a link says of the view; anything it does not name or that is no number stays as it is.
+function applyState(viewer, state) {
+  const number = (name, fallback) => state.has(name) && Number.isFinite(Number(state.get(name))) ? Number(state.get(name)) : fallback;
+  viewer.view = {zoom: number("zoom", viewer.view.zoom), x: number("x", viewer.view.x), y: number("y", viewer.view.y)};
+  const cursor = (state.get("cursor") ?? "").split(",").map(Number);
+  if (cursor.length === 2 && cursor.every(Number.isInteger)) viewer.cursor = {x: cursor[0], y: cursor[1]};
+  if (layers[state.get("map")]) viewer.layer = state.get("map");
+  if (number("scale", 0) > 0) setErrorScale(viewer, number("scale", viewer.errorScale));
+  if (["lit", "visibility"].includes(state.get("picture")) && viewer.entry.planes.unshadowed) setPicture(viewer, state.get("picture"));
+  if (kModes.includes(state.get("mode"))) setMode(viewer, state.get("mode"));
+  if (viewer.cursor) viewer.cursor = {x: Math.min(Math.max(viewer.cursor.x, 0), viewer.entry.width - 1), y: Math.min(Math.max(viewer.cursor.y, 0), viewer.entry.height - 1)};
+  clampView(viewer);
+}
+
+// #scene-2-run-3 shows that run, with its numbers unfolded; what follows a question mark is viewFragment's.
 function followLink() {
-  const match = /^#scene-(\d+)-run-(\d+)$/.exec(location.hash);
+  const match = /^#scene-(\d+)-run-(\d+)(?:\?(.*))?$/.exec(location.hash);
   if (!match) return;
   const [scene, run] = [Number(match[1]) - 1, Number(match[2]) - 1];
-  const numbers = document.getElementById(location.hash.slice(1));
+  const numbers = document.getElementById(`scene-${scene + 1}-run-${run + 1}`);
   if (numbers) numbers.open = true;
   const viewer = makeViewer(scene);
   if (!viewer?.entry.runs[run]) return;
-  show(viewer, run, viewer.otherIndex);
+  const state = new URLSearchParams(match[3] ?? ""), other = Number(state.get("other") ?? viewer.otherIndex);
+  applyState(viewer, state);
+  show(viewer, run, viewer.entry.runs[other] ? other : kReference);
   viewer.root.scrollIntoView({block: "start"});
   viewer.root.focus({preventScroll: true});
 }
@@ -61,6 +93,10 @@ function start() {
   for (const table of document.querySelectorAll("table.sortable")) listenToHeadings(table);
   listenToFilter(document.getElementById("results"));
   for (const table of document.querySelectorAll("table[role=grid]")) listenToMap(table);
+  makeOverview();
+  const isShort = document.querySelectorAll("#results tbody tr").length <= kShortTable;
+  document.getElementById("all-runs").open = isShort;
+  window.addEventListener("beforeprint", () => { document.getElementById("all-runs").open = true; });
   makeSweeps();
   makeBenches();
   fillContents();
@@ -79,6 +115,7 @@ function start() {
   for (const stage of document.querySelectorAll(".stage")) watcher.observe(stage);
   window.addEventListener("hashchange", followLink);
   followLink();
+  fillOverview();
 }
 
 start();

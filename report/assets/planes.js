@@ -58,6 +58,13 @@ async function decodePlanes(entry) {
   return Object.fromEntries(names.map((name, k) => [name, planes[k]]));
 }
 
+// Decoded planes of a scene, once for all who look at it.
+const keptScenes = new Map();
+function scenePlanes(sceneIndex) {
+  if (!keptScenes.has(sceneIndex)) keptScenes.set(sceneIndex, decodePlanes(page.scenes[sceneIndex]));
+  return keptScenes.get(sceneIndex);
+}
+
 // Decoded planes of the runs looked at last; a scene's own stay as long as its viewer.
 const kKeptRuns = 6;
 const keptRuns = new Map();

@@ -92,13 +92,13 @@ async function show(viewer, runIndex, otherIndex) {
   viewer.otherIndex = otherIndex;
   const message = part(viewer, "message");
   try {
-    viewer.planes ??= decodePlanes(viewer.entry);
-    const scene = await viewer.planes;
+    const scene = await scenePlanes(viewer.sceneIndex);
     const run = await runPlanes(viewer.entry.runs[runIndex]);
     const other = otherIndex === kReference ? scene : await runPlanes(viewer.entry.runs[otherIndex]);
     if (request !== viewer.request) return;
     viewer.cursor ??= middlePenumbra(viewer, scene.visibility);
-    viewer.shown = {scene, run, other, isReference: otherIndex === kReference, farthestBlocker: farthest(scene.blocker_distance),
+    viewer.white ??= litScale(scene);
+    viewer.shown = {scene, run, other, white: viewer.white, errorScale: viewer.errorScale, isReference: otherIndex === kReference, farthestBlocker: farthest(scene.blocker_distance),
                     threshold: viewer.scene.techniques[runIndex].significance?.threshold_z ?? null};
   } catch (error) {
     message.textContent = String(error.message);
@@ -127,7 +127,7 @@ function contextLines(viewer) {
   const lines = [
     `${scene.name}: scene hash ${scene.hash}; seed ${results.seed}; ${results.width_px} x ${results.height_px} px; ` +
         `umbrameter ${results.version} (${results.commit})`,
-    `Reference: ${scene.reference.device}; ${scene.reference.mean_sample_count.toFixed(0)} samples a pixel`,
+    `Reference: ${scene.reference.device}; ${scene.reference.mean_sample_count.toFixed(0)} samples per pixel`,
     `${run.label}: technique ${run.technique}, hash ${run.hash}; ${parametersText(run.parameters)}; ${run.device}`,
   ];
   if (otherIndex === kReference) return lines;
@@ -155,20 +155,23 @@ function step(viewer, direction) {
 function makeViewer(sceneIndex) {
   if (viewers.has(sceneIndex)) return viewers.get(sceneIndex);
   const entry = page.scenes[sceneIndex];
-  const first = entry?.runs.findIndex(run => run) ?? -1;
-  if (first < 0) return null;
+  if (!entry?.runs.some(run => run)) return null;
+  const best = bestAffordable(results.scenes[sceneIndex], kAffordableFactor);
+  const first = entry.runs[best] ? best : entry.runs.findIndex(run => run);
   const stage = document.querySelector(`.stage[data-scene="${sceneIndex}"]`);
   stage.append(document.getElementById("viewer").content.cloneNode(true));
   const viewer = {
-    root: stage.querySelector(".viewer"), entry, scene: results.scenes[sceneIndex], request: 0, runIndex: first,
+    root: stage.querySelector(".viewer"), entry, sceneIndex, scene: results.scenes[sceneIndex], request: 0, runIndex: first,
     otherIndex: kReference, mode: "panes", layer: "error", isFlipped: false, divider: 0.5, overlays: new Set(),
     view: {x: entry.width / 2, y: entry.height / 2, zoom: 1},
-    cursor: null, shown: null, bitmaps: {}, planes: null, charts: {},
+    cursor: null, shown: null, bitmaps: {}, white: null, charts: {},
+    picture: entry.planes.unshadowed ? "lit" : "visibility", exposure_stops: 0, errorScale: palette.error_scale,
   };
   viewers.set(sceneIndex, viewer);
   viewer.root.setAttribute("aria-label", `Pictures of ${viewer.scene.name}; press ? for keys`);
   viewer.root.style.setProperty("--aspect", `${entry.width} / ${entry.height}`);
   fillChoices(viewer);
+  part(viewer, "picture-box").hidden = !entry.planes.unshadowed;
   listen(viewer);
   setMode(viewer, "panes");
   show(viewer, first, kReference);

@@ -3,11 +3,17 @@
 
 const kPanes = {panes: ["other", "run", "map"], flip: ["run"], slider: ["run"], difference: ["map"]};
 
+// The lit picture, or visibility as grey.
+function pictureColour(viewer, planes) {
+  const {scene, white} = viewer.shown;
+  return viewer.picture === "lit" ? litColour(planes, scene, white, viewer.exposure_stops) : visibilityColour(planes, scene.hit);
+}
+
 function bitmapOf(viewer, pane) {
   const {entry, shown} = viewer;
   const colours = {
-    other: () => visibilityColour(shown.other, shown.scene.hit),
-    run: () => overlaidColour(shown, viewer.overlays),
+    other: () => pictureColour(viewer, shown.other),
+    run: () => overlaidColour(shown, viewer.overlays, pictureColour(viewer, shown.run)),
     map: () => i => layers[viewer.layer].colour(shown, i),
   };
   viewer.bitmaps[pane] ??= paintBitmap(entry.width, entry.height, colours[pane]());

@@ -61,6 +61,22 @@ function cycleLayer(viewer) {
   select.dispatchEvent(new Event("change"));
 }
 
+function setPicture(viewer, picture) {
+  viewer.picture = picture;
+  part(viewer, "picture").value = picture;
+  part(viewer, "exposure").disabled = picture !== "lit";
+  viewer.bitmaps.other = viewer.bitmaps.run = null;
+  draw(viewer);
+}
+
+function setErrorScale(viewer, scale) {
+  viewer.errorScale = scale;
+  part(viewer, "error-scale").value = String(scale);
+  if (viewer.shown) viewer.shown.errorScale = scale;
+  viewer.bitmaps.map = null;
+  draw(viewer);
+}
+
 // Key -> what it does; listed for people in page.html.
 const viewerKeys = {
   ArrowLeft: (viewer, far) => moveCursor(viewer, -far, 0),
@@ -78,6 +94,7 @@ const viewerKeys = {
   " ": flip,
   "[": viewer => setDivider(viewer, viewer.divider - 0.05),
   "]": viewer => setDivider(viewer, viewer.divider + 0.05),
+  v: viewer => { if (viewer.entry.planes.unshadowed) setPicture(viewer, viewer.picture === "lit" ? "visibility" : "lit"); },
   n: viewer => step(viewer, 1),
   p: viewer => step(viewer, -1),
   m: cycleLayer,
@@ -138,11 +155,17 @@ function listen(viewer) {
     button.addEventListener("click", () => setMode(viewer, button.dataset.mode));
   }
   const onClick = {"zoom-in": () => zoomAtCursor(viewer, 2), "zoom-out": () => zoomAtCursor(viewer, 0.5),
-                   fit: () => fit(viewer), flip: () => flip(viewer), save: () => savePicture(viewer)};
+                   fit: () => fit(viewer), flip: () => flip(viewer), save: () => savePicture(viewer), link: () => linkHere(viewer)};
   for (const [role, action] of Object.entries(onClick)) part(viewer, role).addEventListener("click", action);
   part(viewer, "run").addEventListener("change", event => show(viewer, Number(event.target.value), viewer.otherIndex));
   part(viewer, "other").addEventListener("change", event => show(viewer, viewer.runIndex, Number(event.target.value)));
   part(viewer, "divider").addEventListener("input", event => setDivider(viewer, event.target.value / 100));
+  part(viewer, "picture").addEventListener("change", event => setPicture(viewer, event.target.value));
+  part(viewer, "exposure").addEventListener("input", event => {
+    viewer.exposure_stops = Number(event.target.value);
+    setPicture(viewer, viewer.picture);
+  });
+  part(viewer, "error-scale").addEventListener("change", event => setErrorScale(viewer, Number(event.target.value)));
   part(viewer, "layer").addEventListener("change", event => {
     viewer.layer = event.target.value;
     viewer.bitmaps.map = null;

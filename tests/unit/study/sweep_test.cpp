@@ -5,9 +5,11 @@
 #include "tests/unit/study/fakes.h"
 
 #include "core/files.h"
+#include "report/report.h"
 #include "study/store/keys.h"
 #include "study/sweep/export.h"
 #include "study/sweep/merge.h"
+#include "study/sweep/stored_results.h"
 #include "study/sweep/sweep.h"
 #include "study/sweep/verdicts.h"
 
@@ -93,6 +95,28 @@ TEST_F(SweepTest, RendersOnceAndRecordsFailures) {
   EXPECT_EQ(second.failures.size(), 2u);
   EXPECT_EQ(reference_.requests.size(), 2u);
   EXPECT_EQ(realtime_.requests.size(), 6u);
+}
+
+TEST_F(SweepTest, AStoreIsShownAsResultsWithEachRunAndItsVerdict) {
+  Store empty(folder("empty"), Database::Mode::write);
+  EXPECT_FALSE(stored_results(empty).has_value());
+  sweep();
+  Store store(folder(), Database::Mode::read);
+  const auto results = stored_results(store);
+  ASSERT_TRUE(results.has_value());
+  ASSERT_EQ(results->scenes.size(), 2u);
+  EXPECT_EQ(results->scenes[0].name, "plate");
+  ASSERT_EQ(results->scenes[0].techniques.size(), 3u);
+  EXPECT_TRUE(results->scenes[0].techniques[0].failure.has_value());
+  const TechniqueResult& off = results->scenes[0].techniques[2];
+  EXPECT_EQ(off.label, "off");
+  EXPECT_EQ(off.error->rmse->value, stored().runs[2].result.error->rmse->value);
+  EXPECT_EQ(off.judgement.verdict->baseline, "exact");
+  ASSERT_TRUE(results->scenes[0].reference.has_value());
+  for (const std::string& file : {off.image_file, results->scenes[0].reference->image_file})
+    EXPECT_TRUE(std::filesystem::exists(folder() / file)) << file;
+  write_report(folder(), folder() / "report.html");
+  EXPECT_THAT(read_file(folder() / "report.html"), HasSubstr("id=\"s0-r2\""));  // with its pixels
 }
 
 TEST_F(SweepTest, PlanSaysWhatAndWhy) {
