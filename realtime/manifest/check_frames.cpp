@@ -33,10 +33,11 @@ bool keeps_contents(const PassDeclaration& pass) {
 }
 
 [[noreturn]] void fail(const PassDeclaration& pass, std::string_view does, const std::string& name) {
-  fail_input(fmt::format("pass '{}' {} '{}' as the frame before left it: techniques that carry state over frames "
-                         "cannot be judged, because pictures are of the first frame and times of later ones",
-                         pass.id, does, name),
-             pass.where, fmt::format("write '{}' anew in each frame, before it is used", name));
+  fail_input(
+      fmt::format("pass '{}' {} '{}' as the frame before left it: techniques that carry state over frames "
+                  "cannot be judged, because pictures are of the first frame and times of later ones",
+                  pass.id, does, name),
+      pass.where, fmt::format("write '{}' anew in each frame, before it is used", name));
 }
 
 }  // namespace

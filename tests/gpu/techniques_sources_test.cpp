@@ -17,7 +17,8 @@ using namespace test;
 const ParameterValues kSmallMap = {{"map_size", int64_t{512}}};
 
 ParameterValues many_taps(const ParameterValues& more) {
-  return with({{"map_size", int64_t{2048}}, {"search_taps", int64_t{256}}, {"filter_taps", int64_t{256}}}, more);
+  return with({{"map_size", int64_t{2048}}, {"search_taps", int64_t{256}}, {"filter_taps", int64_t{256}}},
+              more);
 }
 
 ParameterValues curve(const std::string& name, const ParameterValues& more = {}) {
@@ -110,7 +111,8 @@ TEST(curves, a_falloff_lightens_shadows_by_the_drop) {
 TEST(penumbra_mask, a_wider_search_acts_on_curves_too) {
   UMBRAMETER_REQUIRE_GL();
   const Scene scene = busy_scene(light_at_4(LightType::sun, 0.5));
-  const ParameterValues published = with(kSmallMap, {{"preset", std::string("paper-d")}, {"search_scale", 1.2}});
+  const ParameterValues published =
+      with(kSmallMap, {{"preset", std::string("paper-d")}, {"search_scale", 1.2}});
   EXPECT_GT(largest_difference(visibility(scene, "penumbra_mask", published),
                                visibility(scene, "penumbra_mask", with(published, {{"search_scale", 3.0}}))),
             0.0);
@@ -119,7 +121,8 @@ TEST(penumbra_mask, a_wider_search_acts_on_curves_too) {
 TEST(penumbra_mask, on_a_checkerboard_has_its_own_answer_at_every_other_pixel) {
   UMBRAMETER_REQUIRE_GL();
   const Scene scene = busy_scene(light_at_4(LightType::disk, 0.5));
-  const ParameterValues half = with(kSmallMap, {{"pattern", std::string("checkerboard")}, {"noise_stretch", 1.0}});
+  const ParameterValues half =
+      with(kSmallMap, {{"pattern", std::string("checkerboard")}, {"noise_stretch", 1.0}});
   const auto all = visibility(scene, "penumbra_mask", kSmallMap);
   const auto filled = visibility(scene, "penumbra_mask", half);
   for (size_t y = 0; y < 90; ++y) {
@@ -186,8 +189,8 @@ TEST(esm, stored_depth_under_a_sun_is_distance_with_another_exponent) {
   UMBRAMETER_REQUIRE_GL();
   // Linear distances count to a quarter past the far plane, stored depth to the far plane.
   const Scene scene = busy_scene(light_at_4(LightType::sun, 0.5));
-  const auto stored = visibility(
-      scene, "esm", with(kSmallMap, {{"depth_form", std::string("stored")}, {"exponent", 40.0}}));
+  const auto stored =
+      visibility(scene, "esm", with(kSmallMap, {{"depth_form", std::string("stored")}, {"exponent", 40.0}}));
   const auto linear = visibility(scene, "esm", with(kSmallMap, {{"exponent", 50.0}}));
   EXPECT_LT(mean_difference(stored, linear), 2e-3);
   EXPECT_GT(mean_difference(stored, visibility(scene, "esm", with(kSmallMap, {{"exponent", 20.0}}))), 5e-3);
@@ -196,8 +199,9 @@ TEST(esm, stored_depth_under_a_sun_is_distance_with_another_exponent) {
 TEST(pcss_vsm, of_stored_depth_is_within_002_of_the_half_plane) {
   UMBRAMETER_REQUIRE_GL();
   for (const LightType type : {LightType::rect, LightType::sun}) {
-    const ParameterValues values =
-        many_taps({{"depth_form", std::string("stored")}, {"receiver_plane", std::string("none")}, {"bias_texels", 1.0}});
+    const ParameterValues values = many_taps({{"depth_form", std::string("stored")},
+                                              {"receiver_plane", std::string("none")},
+                                              {"bias_texels", 1.0}});
     EXPECT_LE(half_plane_rmse(light_at_4(type, 1.0), "pcss_vsm", values), 0.02) << to_text(type);
   }
 }
@@ -216,7 +220,8 @@ TEST(pcf_sampler, bilinear_reads_are_those_that_the_shader_blends) {
   const Scene scene = plate_scene();
   for (const int64_t side : {1, 3, 4}) {
     const ParameterValues values = {{"grid_taps", side}};
-    EXPECT_LT(largest_difference(visibility(scene, "pcf_sampler", values), visibility(scene, "pcf_bilinear", values)),
+    EXPECT_LT(largest_difference(visibility(scene, "pcf_sampler", values),
+                                 visibility(scene, "pcf_bilinear", values)),
               0.01)
         << side;
   }

@@ -21,7 +21,8 @@ const std::string kResources =
 std::string pass(const std::string& id, const std::string& reads, const std::string& writes,
                  const std::string& more = {}) {
   return fmt::format(
-      "[[pass]]\nid = \"{}\"\nkind = \"fullscreen\"\nfragment = \"{}.frag\"\nreads = [{}]\nwrites = [{}]\n{}\n",
+      "[[pass]]\nid = \"{}\"\nkind = \"fullscreen\"\nfragment = \"{}.frag\"\nreads = [{}]\nwrites = "
+      "[{}]\n{}\n",
       id, id, reads, writes, more);
 }
 
@@ -30,8 +31,8 @@ std::string error_with(const std::string& passes) {
   TechniqueFolder folder;
   for (const char* id : {"start", "step", "back", "draw"})
     folder.write(fmt::format("{}.frag", id), "void main() { }");
-  std::string manifest = replaced(whole_manifest(), "[[pass]]\nid = \"map\"",
-                                  kResources + passes + "[[pass]]\nid = \"map\"");
+  std::string manifest =
+      replaced(whole_manifest(), "[[pass]]\nid = \"map\"", kResources + passes + "[[pass]]\nid = \"map\"");
   manifest = replaced(manifest, "\"gbuffer.position\", \"shadow_map\"",
                       "\"gbuffer.position\", \"shadow_map\", \"state\"");
   return error_of(folder, manifest);
@@ -40,20 +41,23 @@ std::string error_with(const std::string& passes) {
 const std::string kStart = pass("start", "", "\"state\"", "once = true");
 
 TEST(Frames, StateThatGoesRoundIsRefused) {
-  const std::string error = error_with(kStart + pass("step", "\"state\"", "\"next\"") +
-                                       pass("back", "\"next\"", "\"state\""));
+  const std::string error =
+      error_with(kStart + pass("step", "\"state\"", "\"next\"") + pass("back", "\"next\"", "\"state\""));
   EXPECT_THAT(error, AllOf(HasSubstr("pass 'step' reads 'state' as the frame before left it"),
                            HasSubstr("techniques that carry state over frames cannot be judged"),
                            HasSubstr("write 'state' anew in each frame")));
 }
 
 TEST(Frames, SumsThatGrowFromFrameToFrameAreRefused) {
-  EXPECT_THAT(error_with(kStart + pass("step", "", "\"next\"") + pass("draw", "\"next\"", "\"state\"", "blend = \"add\"")),
+  EXPECT_THAT(error_with(kStart + pass("step", "", "\"next\"") +
+                         pass("draw", "\"next\"", "\"state\"", "blend = \"add\"")),
               HasSubstr("pass 'draw' draws over 'state' as the frame before left it"));
 }
 
 TEST(Frames, SumsThatBeginAnewAndTablesMadeOnceAreFine) {
-  EXPECT_EQ(error_with(kStart + pass("step", "\"state\"", "\"next\"") + pass("draw", "\"next\"", "\"visibility\"")), "no error");
+  EXPECT_EQ(
+      error_with(kStart + pass("step", "\"state\"", "\"next\"") + pass("draw", "\"next\"", "\"visibility\"")),
+      "no error");
   EXPECT_EQ(error_with(pass("start", "", "\"next\"", "once = true") +
                        pass("draw", "\"next\"", "\"state\"", "blend = \"add\"\nclear = [0]")),
             "no error");

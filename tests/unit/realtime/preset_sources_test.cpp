@@ -30,11 +30,14 @@ constexpr const char* kSternaCommon = "MaxestFramework/samples/shadows/data/comm
 constexpr const char* kSternaMask = "MaxestFramework/samples/shadows/data/shadow_mask_ps.hlsl";
 // Godot 4.x: one map of directional_shadow_max_distance metres.
 constexpr double kGodotMapMetres = 100.0;
-constexpr const char* kGodotLights = "godot/servers/rendering/renderer_rd/shaders/scene_forward_lights_inc.glsl";
+constexpr const char* kGodotLights =
+    "godot/servers/rendering/renderer_rd/shaders/scene_forward_lights_inc.glsl";
 constexpr const char* kGodotQuality = "godot/servers/rendering/renderer_rd/renderer_scene_render_rd.cpp";
 // Babylon.js at a map of 1024.
-constexpr const char* kBabylon = "Babylon.js/packages/dev/core/src/Shaders/ShadersInclude/shadowsFragmentFunctions.fx";
-constexpr const char* kBabylonGenerator = "Babylon.js/packages/dev/core/src/Lights/Shadows/shadowGenerator.ts";
+constexpr const char* kBabylon =
+    "Babylon.js/packages/dev/core/src/Shaders/ShadersInclude/shadowsFragmentFunctions.fx";
+constexpr const char* kBabylonGenerator =
+    "Babylon.js/packages/dev/core/src/Lights/Shadows/shadowGenerator.ts";
 constexpr const char* kFilament = "filament/shaders/src/surface_shadowing.fs";
 constexpr const char* kFilamentOptions = "filament/filament/include/filament/LightManager.h, ShadowOptions";
 
@@ -58,8 +61,10 @@ const SourceConstant kConstants[] = {
     {"penumbra_mask", "paper-d-checkerboard", "curve_radius", 0.002, 1, kSternaMain},
     {"pcss_checkerboard", "paper-d", "curve_radius", 0.002, 1, kSternaMain},
     {"pcss_min_filter", "paper-d", "curve_radius", 0.002, 1, kSternaMain},
-    {"pcss", "godot-sun", "light_size_scale", 1, 2, kGodotLights},  // tangent of the whole angle, not of its half
-    {"pcss", "godot-sun", "curve_camera", 0.5 * kGodotMapMetres + 20.0, 1 / kGodotMapMetres, "godot/scene/3d/light_3d.cpp"},
+    {"pcss", "godot-sun", "light_size_scale", 1, 2,
+     kGodotLights},  // tangent of the whole angle, not of its half
+    {"pcss", "godot-sun", "curve_camera", 0.5 * kGodotMapMetres + 20.0, 1 / kGodotMapMetres,
+     "godot/scene/3d/light_3d.cpp"},
     {"pcss", "godot-sun", "search_taps", 24, 1, kGodotQuality},
     {"pcss", "godot-sun", "filter_taps", 24, 1, kGodotQuality},
     {"pcf_disk", "godot-high", "radius_texels", 3, 1, kGodotQuality},
@@ -131,7 +136,8 @@ const SourceChoice kChoices[] = {
     {"edge_mask_quantised", "paper-c-235", "calibration", "drop"},
 };
 
-ParameterValue value_of(const std::string& technique, const std::string& preset, const std::string& parameter) {
+ParameterValue value_of(const std::string& technique, const std::string& preset,
+                        const std::string& parameter) {
   static const auto all = list_techniques(source_dir() / "realtime" / "techniques");
   const auto found = std::ranges::find(all, technique, &Technique::id);
   if (found == all.end()) throw std::runtime_error("no technique " + technique);
