@@ -2,15 +2,18 @@
 #include "study/tune/lengths.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace umbrameter {
 
 void resolve_lengths(TunePlan& plan, std::span<const SceneJob> scenes) {
   const auto is_length = [](const Parameter& parameter) { return parameter.is_relative_to_scene; };
   if (scenes.empty() || std::ranges::none_of(plan.parameters, is_length)) return;
-  std::vector<double> diagonals_world;
-  for (const SceneJob& job : scenes) diagonals_world.push_back(job.scene.bounds_world.diagonal());
-  const auto [least, most] = std::ranges::minmax(diagonals_world);
+  double least = std::numeric_limits<double>::infinity(), most = 0.0;
+  for (const SceneJob& job : scenes) {
+    least = std::min(least, job.scene.bounds_world.diagonal());
+    most = std::max(most, job.scene.bounds_world.diagonal());
+  }
   plan.technique.parameters = in_world(plan.parameters, plan.technique.parameters, least);
   for (NamedValues& preset : plan.presets) preset.values = in_world(plan.parameters, preset.values, least);
   for (Parameter& parameter : plan.parameters) parameter = in_world(parameter, least);
