@@ -1,10 +1,13 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Installs what scripts/packages.txt lists, if something of it is missing. Safe to run again: then it does nothing.
+# install_packages.sh [--program]: installs what scripts/packages.txt lists, or only the part above "tests and benches" that the
+# program needs. Safe to run again: does nothing when nothing is missing.
 set -euo pipefail
 cd "$(dirname "$0")"
 
-mapfile -t wanted < <(grep -vE '^\s*(#|$)' packages.txt)
+stop='^$a'  # matches nothing
+[ "${1:-}" = "--program" ] && stop='^# tests and benches'
+mapfile -t wanted < <(sed "/$stop/,\$d" packages.txt | grep -vE '^\s*(#|$)')
 missing=()
 for package in "${wanted[@]}"; do
   dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'install ok installed' || missing+=("$package")

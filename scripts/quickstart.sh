@@ -1,9 +1,34 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# From a fresh Debian 12 machine to out/report.html: installs packages, builds, validates the built-in scenes.
-# Arguments are handed to `umbrameter validate` (for example: --quality standard).
+# From a fresh Debian 12 machine to a first answer: builds the program alone, measures the techniques people know on a few
+# telling scenes (and on one real model where UMBRAMETER_ASSETS or ../shared/models has it), and says in ten lines what came
+# out. Arguments are handed to `umbrameter validate` (for example: --quality standard).
 set -euo pipefail
 cd "$(dirname "$0")/.."
-bash scripts/build.sh release umbrameter
-build/release/cli/umbrameter validate --quality quick --out out "$@"
-echo "quickstart: open out/report.html"
+start=$SECONDS
+phase() { echo "quickstart: [$1/4] $2" >&2; }
+
+phase 1 "packages (scripts/packages.txt, those that the program needs)"
+bash scripts/install_packages.sh --program
+phase 2 "configuring"
+export CCACHE_SLOPPINESS=pch_defines,time_macros
+launcher=()
+command -v ccache >/dev/null && launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+cmake --preset release -DUMBRAMETER_TESTS=OFF -DUMBRAMETER_BENCHES=OFF "${launcher[@]}" >/dev/null
+phase 3 "building (the first time some minutes)"
+NINJA_STATUS="quickstart: [3/4] %f of %t files, %es " cmake --build --preset release --target umbrameter
+program=build/release/cli/umbrameter
+
+scenes=(contact_hardening fence stacked_plates)
+assets=${UMBRAMETER_ASSETS:-}
+[ -z "$assets" ] && [ -d ../shared/models ] && assets=$(cd ../shared/models && pwd)
+if [ -n "$assets" ] && UMBRAMETER_ASSETS=$assets "$program" scene check assets/bunny >/dev/null 2>&1; then
+  export UMBRAMETER_ASSETS=$assets
+  scenes+=(assets/bunny)
+fi
+phase 4 "measuring ${#scenes[@]} scenes: ${scenes[*]}"
+techniques=()
+for id in hard pcf vsm esm pcss; do techniques+=(--technique "$id"); done
+table=$("$program" validate "${scenes[@]}" "${techniques[@]}" --quality quick --out out "$@") ||
+  { code=$?; echo "$table"; exit "$code"; }
+python3 scripts/quickstart_summary.py out/results.json $((SECONDS - start))
