@@ -11,7 +11,8 @@ namespace {
 
 std::string lower(std::string_view text) {
   std::string out(text);
-  std::ranges::transform(out, out.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::ranges::transform(out, out.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return out;
 }
 
@@ -159,12 +160,13 @@ std::vector<std::string> split(std::string_view text, std::string_view separator
 /// The meaning of a layer's name: of its last word, of the words behind a prefix, of the word before a number.
 std::optional<NameMeaning> meaning_of(std::string_view layer) {
   std::vector<std::string> words = split(layer, ".:/");
-  while (words.size() > 1 && std::ranges::all_of(words.back(), [](unsigned char c) { return std::isdigit(c); }))
+  while (words.size() > 1 &&
+         std::ranges::all_of(words.back(), [](unsigned char c) { return std::isdigit(c); }))
     words.pop_back();
   const auto& names = known_names();
   const std::string whole = plain(words.back());
-  for (std::string name : {whole, whole.starts_with("vray") ? whole.substr(4) : whole,
-                           plain(split(words.back(), "_").back())}) {
+  for (std::string name :
+       {whole, whole.starts_with("vray") ? whole.substr(4) : whole, plain(split(words.back(), "_").back())}) {
     if (const auto found = names.find(name); found != names.end()) return found->second;
   }
   return std::nullopt;
@@ -177,16 +179,17 @@ struct ChannelName {
 
 std::string component_of(std::string_view word) {
   static const std::map<std::string, std::string, std::less<>> known = {
-      {"r", "r"}, {"g", "g"}, {"b", "b"}, {"a", "a"}, {"red", "r"},   {"green", "g"}, {"blue", "b"}, {"alpha", "a"},
-      {"x", "x"}, {"y", "y"}, {"z", "z"}, {"v", "v"}, {"t", "t"}, {"u", "u"}, {"w", "w"}};
+      {"r", "r"},     {"g", "g"},    {"b", "b"},     {"a", "a"}, {"red", "r"},
+      {"green", "g"}, {"blue", "b"}, {"alpha", "a"}, {"x", "x"}, {"y", "y"},
+      {"z", "z"},     {"v", "v"},    {"t", "t"},     {"u", "u"}, {"w", "w"}};
   const auto found = known.find(lower(word));
   return found == known.end() ? std::string() : found->second;
 }
 
 ChannelName parse(const std::string& channel) {
   const size_t dot = channel.rfind('.');
-  const std::string component =
-      component_of(dot == std::string::npos ? std::string_view(channel) : std::string_view(channel).substr(dot + 1));
+  const std::string component = component_of(
+      dot == std::string::npos ? std::string_view(channel) : std::string_view(channel).substr(dot + 1));
   if (component.empty()) return {channel, ""};
   return {dot == std::string::npos ? "" : channel.substr(0, dot), component};
 }
@@ -214,7 +217,8 @@ Layer make(std::string name, const std::optional<NameMeaning>& meaning, LayerKin
   const bool has_three = layer.channels.size() == 3;
   const bool needs_three =
       layer.kind == LayerKind::color || layer.kind == LayerKind::position || layer.kind == LayerKind::normal;
-  if (needs_three && !has_three) layer.kind = layer.kind == LayerKind::color ? LayerKind::grey : LayerKind::other;
+  if (needs_three && !has_three)
+    layer.kind = layer.kind == LayerKind::color ? LayerKind::grey : LayerKind::other;
   if (!needs_three && has_three && layer.kind == LayerKind::grey) layer.kind = LayerKind::color;
   // A depth or a visibility of three channels holds it three times.
   if (has_three && layer.kind != LayerKind::color && !needs_three) layer.channels.resize(1);
@@ -291,7 +295,8 @@ std::optional<Layer> layer_called(std::string_view wanted, std::span<const std::
 
 std::optional<LayerKind> kind_of_file_name(std::string_view file) {
   const size_t slash = file.find_last_of("/\\");
-  std::vector<std::string> words = split(slash == std::string_view::npos ? file : file.substr(slash + 1), ".-_ ");
+  std::vector<std::string> words =
+      split(slash == std::string_view::npos ? file : file.substr(slash + 1), ".-_ ");
   if (words.size() > 1) words.pop_back();  // the extension
   std::optional<LayerKind> kind;
   for (const std::string& word : words) {

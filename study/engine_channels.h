@@ -27,11 +27,12 @@ enum class LayerKind : uint8_t {
 
 /// Channels that belong together: "ViewLayer.Combined.R", ".G", ".B", ".A" are the layer "ViewLayer.Combined".
 struct Layer {
-  std::string name;                   // empty for R, G, B at the top
+  std::string name;  // empty for R, G, B at the top
   LayerKind kind = LayerKind::other;
-  std::vector<std::string> channels;  // 3 of a color, position or normal, in the order R, G, B or x, y, z; else 1
-  int preference = 0;                 // among layers of one kind: the lowest is what a user most likely means
-  bool is_known_name = false;         // the kind follows from the name, not from the count of channels alone
+  std::vector<std::string>
+      channels;                // 3 of a color, position or normal, in the order R, G, B or x, y, z; else 1
+  int preference = 0;          // among layers of one kind: the lowest is what a user most likely means
+  bool is_known_name = false;  // the kind follows from the name, not from the count of channels alone
 };
 
 /// The layers of a file's part whose channels are `names`. Every channel is in one layer, alpha apart.
