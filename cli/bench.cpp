@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "reference/reference.h"
+#include "study/measured.h"
 
 #include <fmt/format.h>
 
@@ -56,6 +57,10 @@ int verdict(const BenchResults& results) {
   for (const Failure& failure : all_failures(results)) {
     print_error(failure.message);
     code = std::max(code, exit_code(failure.kind));
+  }
+  for (const std::string& reason : unmeasured(measured_scenes(results))) {
+    print_error(reason);
+    code = std::max(code, kExitGateFailed);
   }
   return code;
 }

@@ -6,10 +6,10 @@
 #include "cli/score_inputs.h"
 #include "cli/score_results.h"
 #include "cli/verbs.h"
-#include "core/image_io.h"
 #include "study/diagnosis_format.h"
 #include "study/format.h"
 #include "study/judgement_format.h"
+#include "study/measured.h"
 #include "study/results_json.h"
 #include "study/similarity_format.h"
 
@@ -21,10 +21,11 @@ namespace {
 
 struct ScoreOptions {
   ScoreInputOptions inputs;
+  std::string quantity;
   std::string report;
-  std::string baseline;
   std::string metrics;
   std::optional<double> limit_rmse;
+  double min_scored = kMinScored;
   bool maps = false;
 };
 
@@ -40,16 +41,26 @@ std::string term_lines(const TermLines& lines) {
   return text;
 }
 
-std::string score_text(const Score& score) {
-  std::string text =
-      score.has_surfaces
-          ? "parity           " +
-                format_parity(parity_numbers(score.parity, ParityTolerance{}.required_agreement)) + "\n"
-          : "parity           not checked: the image has no surface channels\n";
+std::string quantity_line(const PictureScore& picture) {
+  const char* name = picture.quantity == ShadowQuantity::visibility ? "visibility" : "irradiance ratio";
+  if (picture.is_quantity_given || !picture.other_rmse) return fmt::format("quantity         {}\n", name);
+  const char* other = picture.quantity == ShadowQuantity::visibility ? "the irradiance ratio" : "visibility";
+  return fmt::format("quantity         {} (as {} the RMSE is {}); --quantity names it\n", name, other,
+                     format_interval(picture.other_rmse));
+}
+
+std::string score_text(const PictureScore& picture) {
+  const Score& score = picture.score;
+  std::string text = quantity_line(picture);
+  text += score.has_surfaces
+              ? "parity           " +
+                    format_parity(parity_numbers(score.parity, ParityTolerance{}.required_agreement)) + "\n"
+              : "parity           not checked: the picture has no surface channels\n";
   if (!score.error) return text;
   const VisibilityError& error = *score.error;
-  text += fmt::format("scored pixels    {}\n", error.scored_pixels);
+  text += fmt::format("scored pixels    {} of {}\n", error.scored_pixels, score.scorable_pixels);
   text += "RMSE [95 %]      " + format_interval(error.rmse) + "\n";
+  text += "lit RMSE         " + format_error(score.lit_rmse) + "\n";
   text += "mean error       " + format_signed_error(error.bias) + "\n";
   text += "mean |error|     " + format_error(error.mae) + "\n";
   text += "over-shadowing   " + format_error(error.over_shadowing) + "\n";
@@ -64,47 +75,105 @@ std::string score_text(const Score& score) {
          term_lines(cause_lines(*score.diagnosis));
 }
 
-void add_verdict(const std::string& baseline_file, const Image& test, const Image& reference,
-                 const glm::dvec3& eye_world, Score& score) {
-  const Image baseline = with_visibility(read_image(baseline_file), baseline_file);
-  const ScoreSettings error_only = {choose_metrics("error"), {}};
-  const Score baseline_score = score_image(baseline, reference, eye_world, error_only);
-  if (!score.error || !baseline_score.error) return;
-  score.judgement.verdict =
-      judge_against({test, score.mask}, {baseline, baseline_score.mask}, baseline_file, reference);
+void add_verdict(const EnginePicture& picture, const EnginePicture& baseline,
+                 const PictureScore& baseline_score, PictureScore& score) {
+  if (!score.score.error || !baseline_score.score.error) return;
+  score.score.judgement.verdict =
+      judge_against({picture.test, score.score.mask}, {baseline.test, baseline_score.score.mask},
+                    baseline.name, baseline_score.reference);
 }
 
-std::string json_text(const Score& score, const ScoreInputs& inputs) {
-  auto json = nlohmann::ordered_json::parse(to_json_text(score, inputs.test_name, inputs.reference_name));
-  json["notes"] = inputs.notes;
-  json["mean_square_rounding"] = inputs.mean_square_rounding;
-  return json.dump(2) + "\n";
+/// The sentence that makes the exit code 1; absent when the score is fine.
+std::optional<std::string> objection(const PictureScore& picture, double min_scored) {
+  const Score& score = picture.score;
+  if (!score.parity.passes) return "the picture and the reference show other surfaces; no score";
+  if (auto reason = unmeasured(score.error->scored_pixels, score.scorable_pixels, min_scored)) return reason;
+  const auto& [significance, verdict, limit] = score.judgement;
+  if (limit && limit->outcome == LimitOutcome::fail) return "the RMSE is above --limit";
+  if (verdict && verdict->outcome == Comparison::worse)
+    return fmt::format("worse than the baseline '{}'", verdict->baseline);
+  return std::nullopt;
 }
 
-bool is_above_limit(const Score& score) {
-  return score.judgement.limit && score.judgement.limit->outcome == LimitOutcome::fail;
+/// What a pair shows is known only to who made it; a gate must not guess.
+void require_quantity(const ScoreOptions& options, const ScoreInputs& inputs) {
+  const bool is_gate = options.limit_rmse || inputs.baseline;
+  if (!is_gate || !options.quantity.empty() || !inputs.pictures.front().is_pair) return;
+  fail_input(
+      fmt::format("{} needs to know what the pair's ratio is", options.limit_rmse ? "--limit" : "--baseline"),
+      {},
+      "--quantity irradiance for renderers that integrate the light, visibility for shadow maps that are "
+      "multiplied into the light");
+}
+
+void print_scores(const ScoreInputs& inputs, const std::vector<PictureScore>& scores, bool as_json) {
+  auto all = nlohmann::ordered_json::array();
+  std::string text;
+  for (size_t i = 0; i < scores.size(); ++i) {
+    const std::string& name = inputs.pictures[i].name;
+    if (as_json) all.push_back(picture_json(scores[i], name, inputs.reference_name));
+    if (!as_json && scores.size() > 1) text += fmt::format("{}{}\n", i == 0 ? "" : "\n", name);
+    if (!as_json) text += score_text(scores[i]);
+  }
+  if (!as_json) return print_answer(text);
+  if (scores.size() == 1) return print_json(all.front());
+  print_json({{"pictures", std::move(all)}});
+}
+
+ScoreSettings settings_of(const ScoreOptions& options, const GlobalOptions& global) {
+  ScoreSettings settings;
+  settings.metrics = choose_metrics(options.metrics);
+  settings.limit_rmse = options.limit_rmse;
+  settings.maps = options.maps && !global.out.empty();
+  return settings;
+}
+
+void write_results(const ScoreOptions& options, const GlobalOptions& global, const ScoreInputs& inputs,
+                   const std::vector<PictureScore>& scores, const std::optional<PictureScore>& baseline) {
+  if (options.report.empty() && global.out.empty()) return;
+  ValidationPlan plan;
+  plan.metrics = choose_metrics(options.metrics);
+  plan.limit_rmse = options.limit_rmse;
+  std::vector<ScoredPicture> all;
+  for (size_t i = 0; i < scores.size(); ++i) all.push_back({inputs.pictures[i], scores[i]});
+  if (baseline) all.push_back({*inputs.baseline, *baseline});
+  write_score_results(inputs, all, plan, options.report, global.out);
 }
 
 int score(const ScoreOptions& options, const GlobalOptions& global) {
   if (options.maps && global.out.empty()) fail_input("--maps needs a folder", {}, "give --out DIR");
+  std::optional<ShadowQuantity> quantity;
+  if (!options.quantity.empty()) quantity = parse_shadow_quantity(options.quantity);
+  const ScoreSettings settings = settings_of(options, global);
   const ScoreInputs inputs = load_score_inputs(options.inputs, global);
-  const Image &test = inputs.test, &reference = inputs.reference;
-  const ScoreSettings settings = {choose_metrics(options.metrics), options.limit_rmse,
-                                  options.maps && !global.out.empty()};
-  Score result = score_image(test, reference, inputs.eye_world, settings);
-  if (result.error) widen_by_rounding(inputs.mean_square_rounding, *result.error);
-  if (settings.limit_rmse && result.error)
-    result.judgement.limit = judge_against(*settings.limit_rmse, *result.error, reference, result.mask);
-  if (!options.baseline.empty()) add_verdict(options.baseline, test, reference, inputs.eye_world, result);
-  for (const std::string& note : inputs.notes) print_note(note);
-  if (!options.report.empty() || !global.out.empty())
-    write_score_results(inputs, settings, options.report, global.out);
-  print_answer(global.json ? json_text(result, inputs) : score_text(result));
-  if (result.no_diagnosis) print_error("the faults could not be told apart: " + result.no_diagnosis->message);
-  if (is_above_limit(result)) print_error("the RMSE is above --limit");
-  if (result.parity.passes) return is_above_limit(result) ? kExitGateFailed : kExitFine;
-  print_error("the image and the reference show other surfaces; no score");
-  return kExitGateFailed;
+  require_quantity(options, inputs);
+  std::vector<PictureScore> scores;
+  for (const EnginePicture& picture : inputs.pictures)
+    scores.push_back(score_picture(picture, inputs.reference, inputs.eye_world, settings, quantity));
+  std::optional<PictureScore> baseline;
+  if (inputs.baseline) {
+    baseline = score_picture(*inputs.baseline, inputs.reference, inputs.eye_world, settings,
+                             scores.front().quantity);
+    for (size_t i = 0; i < scores.size(); ++i)
+      add_verdict(inputs.pictures[i], *inputs.baseline, *baseline, scores[i]);
+  }
+  int code = kExitFine;
+  for (size_t i = 0; i < scores.size(); ++i) {
+    const std::string prefix = scores.size() > 1 ? inputs.pictures[i].name + ": " : "";
+    for (const std::string& note : scores[i].notes) print_note(prefix + note);
+  }
+  print_scores(inputs, scores, global.json);
+  for (size_t i = 0; i < scores.size(); ++i) {
+    const std::string prefix = scores.size() > 1 ? inputs.pictures[i].name + ": " : "";
+    if (const auto& failure = scores[i].score.no_diagnosis)
+      print_error(prefix + "the faults could not be told apart: " + failure->message);
+    const auto reason = objection(scores[i], options.min_scored);
+    if (!reason) continue;
+    print_error(prefix + *reason);
+    code = kExitGateFailed;
+  }
+  write_results(options, global, inputs, scores, baseline);
+  return code;
 }
 
 }  // namespace
@@ -112,12 +181,20 @@ int score(const ScoreOptions& options, const GlobalOptions& global) {
 void add_score(CLI::App& app, CommandLine& line) {
   auto options = std::make_shared<ScoreOptions>();
   CLI::App* verb = app.add_subcommand("score",
-                                      "score a picture of any engine against the truth "
+                                      "score pictures of any engine against the truth "
                                       "(docs/your-engine.md); --out writes what validate does");
   verb->fallthrough();
   add_score_input_options(*verb, options->inputs);
   verb->add_option("--report", options->report, "also write the page of 'report' to this file (.html)");
-  verb->add_option("--baseline", options->baseline, "another image to compare with, pixel by pixel");
+  verb->add_option(
+      "--baseline", options->inputs.baseline,
+      "another picture to compare with, pixel by pixel; exit code 1 when a picture is worse for certain");
+  verb->add_option("--quantity", options->quantity,
+                   "what the picture or the pair's ratio is: visibility or irradiance (docs/your-engine.md)");
+  verb->add_option("--min-scored", options->min_scored,
+                   "share of the pixels that the truth can score that must be scored, else exit code 1")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
   add_one_light_option(*verb, line.global);
   verb->add_option("--limit", options->limit_rmse, "RMSE to keep; exit code 1 when it is above for certain")
       ->check(CLI::PositiveNumber);

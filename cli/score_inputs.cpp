@@ -6,15 +6,10 @@
 #include "cli/reference_renderer.h"
 #include "core/error.h"
 #include "core/image_io.h"
-#include "study/engine_image.h"
-#include "study/engine_surfaces.h"
-#include "study/format.h"
 #include "study/metadata.h"
 #include "study/score.h"
 
 #include <fmt/format.h>
-
-#include <cmath>
 
 namespace umbrameter {
 namespace {
@@ -23,19 +18,19 @@ void check_options(const ScoreInputOptions& options) {
   const bool is_pair = !options.shadowed.empty() || !options.unshadowed.empty();
   if (is_pair && (options.shadowed.empty() || options.unshadowed.empty()))
     fail_input("--shadowed and --unshadowed go together", {}, "give both, or one image with visibility");
-  if (is_pair == !options.test.empty())
+  if (is_pair == !options.pictures.empty())
     fail_input(is_pair ? "an image and a pair are given" : "there is nothing to score", {},
-               "give one image with visibility, or --shadowed and --unshadowed");
+               "give images with visibility, or --shadowed and --unshadowed");
   if (options.reference.empty() && options.scene.empty())
     fail_input("there is nothing to score against", {}, "--reference FILE, or --scene NAME to render it");
 }
 
 /// The truth of the scene at the picture's size.
 Image render_truth(const SceneJob& job, const ScoreInputOptions& options, const GlobalOptions& global,
-                   const Image& test) {
+                   const EngineImage& picture) {
   QualityOptions wanted = options.quality;
-  wanted.width = test.width;
-  wanted.height = test.height;
+  wanted.width = picture.width;
+  wanted.height = picture.height;
   const Quality quality = choose_quality(wanted);
   const auto renderer = open_reference_renderer(global, quality.picture);
   ProgressBar progress;
@@ -45,77 +40,68 @@ Image render_truth(const SceneJob& job, const ScoreInputOptions& options, const 
   return std::move(frame.image);
 }
 
-void require_same_size(const ScoreInputs& inputs) {
-  const Image &a = inputs.test, &b = inputs.reference;
-  if (a.width == b.width && a.height == b.height) return;
-  fail_input(fmt::format("'{}' is {} x {} px and '{}' is {} x {}", inputs.test_name, a.width, a.height,
-                         inputs.reference_name, b.width, b.height),
-             {}, "render the picture at the reference's size; scaling would make other shadows");
+PictureFiles files_of(const ScoreInputOptions& options) {
+  PictureFiles files;
+  files.shadowed = options.shadowed;
+  files.unshadowed = options.unshadowed;
+  files.transfer = options.transfer;
+  files.choice = options.choice;
+  files.surfaces = options.surfaces;
+  return files;
 }
 
-Image read_surfaces(const ScoreInputOptions& options) {
-  Image all;
-  for (const std::string& file : options.surfaces) {
-    Image image = read_image(file);
-    if (all.planes.empty()) all = Image(image.width, image.height);
-    umbrameter::require_same_size(all, image, "surface channels");
-    all.planes.merge(image.planes);
+std::vector<PictureInput> read_pictures(const ScoreInputOptions& options) {
+  if (options.pictures.empty()) return {read_picture_input(files_of(options))};
+  std::vector<PictureInput> inputs;
+  for (const std::string& file : options.pictures) {
+    PictureFiles files = files_of(options);
+    files.picture = file;
+    inputs.push_back(read_picture_input(files));
   }
-  return all;
+  return inputs;
 }
 
-void note_rounding(const EngineVisibility& engine, ScoreInputs& inputs) {
-  if (engine.dark > 0)
-    inputs.notes.push_back(
-        fmt::format("{} pixels left out: so dark without shadows that their ratio is 0 / 0", engine.dark));
-  if (engine.brighter > 0)
-    inputs.notes.push_back(
-        fmt::format("{} pixels left out: brighter with shadows than without", engine.brighter));
-  if (engine.largest_step <= 0.0) return;
-  inputs.mean_square_rounding = engine.mean_square_rounding;
-  inputs.notes.push_back(
-      fmt::format("the pictures' steps are up to {:.4f} of visibility; their rounding, {:.5f} in the root "
-                  "mean square, is "
-                  "added to the uncertainty",
-                  engine.largest_step, std::sqrt(engine.mean_square_rounding)));
-}
-
-/// One image as ours, or a pair.
-EngineVisibility engine_visibility(const ScoreInputOptions& options) {
-  const auto decode = [&](const std::string& file) {
-    return decode_engine_image(read_image(file), file, options.transfer);
-  };
-  if (options.test.empty()) return visibility_of_pair(decode(options.shadowed), decode(options.unshadowed));
-  return visibility_of(decode(options.test));
-}
-
-void note_alignment(ScoreInputs& inputs) {
-  if (const auto better = better_alignment(inputs.test, inputs.reference))
-    inputs.notes.push_back("the picture fits the truth far better when it is read " + *better);
+/// One picture, read as the others are.
+PictureInput read_baseline(const ScoreInputOptions& options) {
+  PictureFiles files = files_of(options);
+  files.shadowed.clear();
+  files.unshadowed.clear();
+  files.picture = options.baseline;
+  return read_picture_input(files);
 }
 
 }  // namespace
 
 void add_score_input_options(CLI::App& verb, ScoreInputOptions& options) {
-  verb.add_option("test", options.test, "image: channel 'visibility', 'Y', a single channel, or grey RGB");
+  verb.add_option("picture", options.pictures,
+                  "pictures of visibility: channel 'visibility', grey, or grey colours of any layer");
   verb.add_option("--reference", options.reference, "EXR made by 'umbrameter reference'");
   verb.add_option("--scene", options.scene,
-                  "scene that the picture shows; renders the reference unless it is given");
+                  "scene that the pictures show; renders the reference unless it is given");
   verb.add_option("--shadowed", options.shadowed,
-                  "instead of an image: the scene lit by the light alone, with shadows");
-  verb.add_option("--unshadowed", options.unshadowed, "the same without shadows; visibility is their ratio");
+                  "instead of pictures: the scene lit by the light alone, with shadows");
+  verb.add_option("--unshadowed", options.unshadowed, "the same without shadows; their ratio is scored");
   verb.add_option("--transfer", options.transfer,
                   "how numbers of pictures of 8 or 16 bits follow from light: srgb, linear or gamma2.2");
+  verb.add_option("--channel", options.choice.channel,
+                  "channel or layer that is the picture, such as Z or ViewLayer.Combined");
+  verb.add_option("--part", options.choice.part,
+                  "part of the file that is the picture: a number from 1, or a name");
   verb.add_option("--surfaces", options.surfaces,
-                  "EXR with position.x/y/z or depth, normal.x/y/z, primitive_id; repeatable")
+                  "file with position or depth, normal, primitive_id; position=FILE says what it holds; "
+                  "repeatable (default: the picture's own file)")
       ->allow_extra_args(false);
   verb.add_option("--depth", options.depth, "what a depth channel measures: axis (of the camera) or ray")
       ->check(CLI::IsMember({"axis", "ray"}));
+  verb.add_option("--axes", options.axes,
+                  "our x, y, z by the surfaces' axes, such as --axes=x,z,-y where z is up");
+  verb.add_option("--unit", options.unit, "length of the surfaces' unit in ours: 0.01 for centimetres")
+      ->check(CLI::PositiveNumber);
   verb.add_option("--quality", options.quality.quality,
                   "of a reference that is rendered; the size is the picture's")
       ->capture_default_str();
   verb.add_option("--spp", options.quality.samples_per_pixel,
-                  "samples a pixel of a reference that is rendered");
+                  "samples per pixel of a reference that is rendered");
   verb.add_option("--seed", options.quality.seed, "likewise")->capture_default_str();
 }
 
@@ -123,40 +109,23 @@ ScoreInputs load_score_inputs(const ScoreInputOptions& options, const GlobalOpti
   check_options(options);
   if (!global.light.empty() && options.scene.empty())
     fail_input("--light goes with --scene: a reference image is of one light already");
+  SurfaceReading reading;
+  reading.depth = options.depth == "ray" ? DepthKind::ray : DepthKind::axis;
+  reading.space = parse_surface_space(options.axes, options.unit);
+  const std::vector<PictureInput> pictures = read_pictures(options);
+  std::optional<PictureInput> baseline;
+  if (!options.baseline.empty()) baseline = read_baseline(options);
   ScoreInputs inputs;
-  inputs.test_name = options.test.empty() ? options.shadowed : options.test;
   inputs.reference_name = options.reference.empty() ? options.scene : options.reference;
-  // Our own images, and any other that already has a visibility channel of floats, are taken as they are.
-  const bool is_plain = !options.test.empty() && options.transfer.empty() && options.test.ends_with(".exr");
-  std::optional<EngineVisibility> engine;
-  if (is_plain) {
-    inputs.test = with_visibility(read_image(options.test), options.test);
-  } else {
-    engine = engine_visibility(options);
-    inputs.test = engine->image;
-  }
   if (!options.scene.empty()) inputs.scene = load_scene_job(options.scene, scene_search(global, find_home()));
-  inputs.reference = options.reference.empty() ? render_truth(*inputs.scene, options, global, inputs.test)
-                                               : read_image(options.reference);
+  inputs.reference = options.reference.empty()
+                         ? render_truth(*inputs.scene, options, global, pictures.front().picture)
+                         : read_image(options.reference);
   inputs.eye_world = eye_of(inputs.reference, inputs.reference_name);
-  require_same_size(inputs);
-  const bool was_aligned = has_surfaces(inputs.test);
-  if (!was_aligned && !options.surfaces.empty()) {
-    const Camera* camera = inputs.scene ? &inputs.scene->scene.camera : nullptr;
-    const DepthKind kind = options.depth == "ray" ? DepthKind::ray : DepthKind::axis;
-    const Image surfaces = read_surfaces(options);
-    for (std::string& note : add_surfaces(surfaces, camera, kind, inputs.reference, inputs.test))
-      inputs.notes.push_back(std::move(note));
-  } else if (!was_aligned) {
-    inputs.notes.push_back(
-        "no surface channels: not known whether the picture shows the same places under the same light; give "
-        "--surfaces");
-  }
-  if (!was_aligned) note_alignment(inputs);
-  if (engine) {
-    apply_rounding(*engine, inputs.test, inputs.reference);
-    note_rounding(*engine, inputs);
-  }
+  if (inputs.scene) reading.camera = &inputs.scene->scene.camera;
+  for (const PictureInput& picture : pictures)
+    inputs.pictures.push_back(align_picture(picture, reading, inputs.reference));
+  if (baseline) inputs.baseline = align_picture(*baseline, reading, inputs.reference);
   return inputs;
 }
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// What `score` compares: pictures of any engine, made into images as ours, and a reference that is read or rendered.
+// What `score` compares: pictures of any engine and their baseline, read by one reader, and a reference that is read or
+// rendered.
 
 #include "cli/quality.h"
 #include "cli/verbs.h"
 #include "core/image.h"
+#include "study/picture_score.h"
 #include "study/validation.h"
 
 #include <optional>
@@ -14,12 +16,16 @@
 namespace umbrameter {
 
 struct ScoreInputOptions {
-  std::string test;
+  std::vector<std::string> pictures;
   std::string reference;
   std::string shadowed, unshadowed;
+  std::string baseline;
   std::string transfer;
-  std::vector<std::string> surfaces;  // images with surface channels
+  PictureChoice choice;
+  std::vector<std::string> surfaces;
   std::string depth = "axis";
+  std::string axes;
+  double unit = 1.0;
   std::string scene;
   QualityOptions quality;
 };
@@ -27,15 +33,15 @@ struct ScoreInputOptions {
 void add_score_input_options(CLI::App& verb, ScoreInputOptions& options);
 
 struct ScoreInputs {
-  std::string test_name, reference_name;
-  Image test, reference;  // ready for score_image
+  std::string reference_name;
+  Image reference;
   glm::dvec3 eye_world{0.0};
-  std::optional<SceneJob> scene;    // with --scene
-  std::vector<std::string> notes;   // what cannot be known, what was left out, how numbers were rounded
-  double mean_square_rounding = 0;  // of visibility
+  std::optional<SceneJob> scene;  // with --scene
+  std::vector<EnginePicture> pictures;
+  std::optional<EnginePicture> baseline;
 };
 
-/// Error{input} for combinations that say nothing, and other sizes.
+/// Error{input} for combinations that say nothing, and whatever study/picture_score.h refuses.
 ScoreInputs load_score_inputs(const ScoreInputOptions& options, const GlobalOptions& global);
 
 }  // namespace umbrameter

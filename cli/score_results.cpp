@@ -3,34 +3,29 @@
 
 #include "cli/console.h"
 #include "cli/staging.h"
+#include "core/error.h"
 #include "core/files.h"
+#include "core/image_io.h"
+#include "core/version.h"
 #include "report/report.h"
-#include "study/engine_surfaces.h"
+#include "study/metadata.h"
 #include "study/results_json.h"
+#include "study/scene_run.h"
+#include "study/store/stored_truth.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace umbrameter {
 namespace {
 
-/// Gives out pictures that are there already.
-class PictureRenderer : public Renderer {
+/// Nothing is rendered here.
+class NoRenderer : public Renderer {
  public:
-  PictureRenderer(const Image& image, std::string device) : image_(image), device_(std::move(device)) {}
-  Frame render(const Scene&, const RenderRequest& request, Progress&) override {
-    Frame frame;
-    frame.image = image_;
-    frame.device = device_;
-    frame.parameters = request.parameters;
-    return frame;
+  Frame render(const Scene&, const RenderRequest&, Progress&) override {
+    throw Error(ErrorKind::internal, "a picture's score renders nothing");
   }
-
- private:
-  const Image& image_;
-  std::string device_;
 };
 
 std::string metadata(const Image& image, const char* key) {
@@ -51,63 +46,86 @@ SceneJob scene_of(const ScoreInputs& inputs) {
   return job;
 }
 
-TechniqueRun run_of(const ScoreInputs& inputs) {
-  TechniqueRun run;
-  run.technique = run.id = run.label = std::filesystem::path(inputs.test_name).stem().string();
-  run.title = inputs.test_name;
-  run.lights = {LightType::rect, LightType::disk, LightType::sphere, LightType::sun};
+/// Files of one stem get different labels.
+std::string label_of(const std::string& file, const std::vector<TechniqueFrame>& taken) {
+  const std::string stem = std::filesystem::path(file).stem().string();
+  const auto is_taken = [&](const std::string& label) {
+    return std::ranges::any_of(taken, [&](const TechniqueFrame& run) { return run.result.label == label; });
+  };
+  std::string label = stem;
+  for (int number = 2; is_taken(label); ++number) label = fmt::format("{}-{}", stem, number);
+  return label;
+}
+
+TechniqueFrame run_of(const SceneContext& context, const ScoredPicture& scored,
+                      const std::vector<TechniqueFrame>& taken) {
+  TechniqueFrame run;
+  TechniqueResult& result = run.result;
+  result.technique = result.label = label_of(scored.picture.name, taken);
+  result.title = scored.picture.name;
+  result.device = "another renderer";
+  run.frame.image = scored.picture.test;
+  if (!has_surfaces(run.frame.image)) borrow_surfaces(scored.score.reference, run.frame.image);
+  result.image_file = context.relative(file_name_of(result.label) + ".exr");
+  write_exr(context.folder / result.image_file, run.frame.image);
+  take_score(context, scored.score.reference, scored.score.score, run);
+  result.warnings.insert(result.warnings.end(), scored.score.notes.begin(), scored.score.notes.end());
   return run;
 }
 
-ValidationPlan plan_of(const ScoreInputs& inputs, const ScoreSettings& settings) {
-  ValidationPlan plan;
-  plan.quality = "another engine";
-  plan.picture.width_px = inputs.test.width;
-  plan.picture.height_px = inputs.test.height;
+Results results_of(const ScoreInputs& inputs, const std::vector<ScoredPicture>& scored, ValidationPlan plan,
+                   const std::filesystem::path& folder) {
+  const SceneJob job = scene_of(inputs);
   const std::span<const float> samples = inputs.reference.plane("sample_count");
+  plan.quality = "pictures";
+  plan.picture.width_px = inputs.reference.width;
+  plan.picture.height_px = inputs.reference.height;
   plan.picture.samples_per_pixel = static_cast<int>(*std::ranges::max_element(samples));
-  plan.timed_frames = 0;
-  plan.techniques = {run_of(inputs)};
-  plan.metrics = settings.metrics;
-  plan.limit_rmse = settings.limit_rmse;
-  plan.maps = settings.maps;
-  return plan;
+  NoRenderer none;
+  SilentProgress silent;
+  const SceneContext context{job.name, job.scene, plan, {none, none}, folder, silent};
+  SceneResult scene = source_of(job).description;
+  create_folder((folder / context.relative("reference.exr")).parent_path());
+  const ShadowQuantity quantity = scored.front().score.quantity;
+  scene.quantity = to_text(quantity);
+  Frame truth;
+  truth.image = with_quantity(inputs.reference, quantity);
+  truth.device = metadata(inputs.reference, "device");
+  take_truth(context, truth.image, describe_truth(truth), scene);
+  take_parity(context, scored.front().score.score.parity, scene);
+  std::vector<TechniqueFrame> runs;
+  for (const ScoredPicture& picture : scored) runs.push_back(run_of(context, picture, runs));
+  for (TechniqueFrame& run : runs) scene.techniques.push_back(std::move(run.result));
+  Results results;
+  results.version = kVersion;
+  results.commit = kCommit;
+  results.quality = plan.quality;
+  results.picture = plan.picture;
+  results.scenes.push_back(std::move(scene));
+  return results;
+}
+
+void check_output(const std::filesystem::path& out) {
+  if (out.empty()) return;
+  if (std::filesystem::exists(out) && !std::filesystem::is_directory(out))
+    fail_input(fmt::format("the output '{}' is not a folder", out.string()));
+  if (std::filesystem::exists(out / "images") && !std::filesystem::exists(out / "results.json"))
+    fail_input(fmt::format("'{}/images' exists and is of no results", out.string()), {},
+               "choose another --out");
 }
 
 }  // namespace
 
-void widen_by_rounding(double mean_square_rounding, VisibilityError& error) {
-  if (!(mean_square_rounding > 0.0) || !error.mse || !error.rmse) return;
-  error.mse->low -= mean_square_rounding;
-  error.rmse->low = std::copysign(std::sqrt(std::abs(error.mse->low)), error.mse->low);
-}
-
-void write_score_results(const ScoreInputs& inputs, const ScoreSettings& settings, const std::string& report,
-                         const std::string& out) {
-  const bool keeps_folder = !out.empty();
-  if (keeps_folder && std::filesystem::exists(out) && !std::filesystem::is_directory(out))
-    fail_input(fmt::format("the output '{}' is not a folder", out));
-  if (keeps_folder && std::filesystem::exists(std::filesystem::path(out) / "images") &&
-      !std::filesystem::exists(std::filesystem::path(out) / "results.json"))
-    fail_input(fmt::format("'{}/images' exists and is of no results", out), {}, "choose another --out");
-  Image test = inputs.test;
-  if (!has_surfaces(test)) add_surfaces({}, nullptr, DepthKind::axis, inputs.reference, test);
-  PictureRenderer engine(test, "another engine"),
-      truth(inputs.reference, metadata(inputs.reference, "device"));
-  const Staging staging(keeps_folder ? std::filesystem::path(out) : std::filesystem::temp_directory_path());
-  const SceneJob job = scene_of(inputs);
-  SilentProgress silent;
-  Results results =
-      run_validation({&job, 1}, plan_of(inputs, settings), {truth, engine}, staging.folder(), silent);
-  for (TechniqueResult& run : results.scenes.front().techniques) {
-    run.warnings.insert(run.warnings.end(), inputs.notes.begin(), inputs.notes.end());
-    if (run.error) widen_by_rounding(inputs.mean_square_rounding, *run.error);
-  }
+void write_score_results(const ScoreInputs& inputs, const std::vector<ScoredPicture>& scored,
+                         const ValidationPlan& plan, const std::string& report, const std::string& out) {
+  const std::filesystem::path folder = out;
+  check_output(folder);
+  const Staging staging(out.empty() ? std::filesystem::temp_directory_path() : folder);
+  const Results results = results_of(inputs, scored, plan, staging.folder());
   write_file_atomically(staging.folder() / "results.json", to_json_text(results));
   if (!report.empty()) write_report(staging.folder(), report);
-  if (!keeps_folder) return;
+  if (out.empty()) return;
   write_report(staging.folder(), staging.folder() / "report.html");
-  const std::filesystem::path folder = out;
   for (const std::string name : {"images", "report-data"}) {
     if (std::filesystem::exists(folder / name))
       rename_into_place(folder / name, staging.folder() / ("old-" + name));

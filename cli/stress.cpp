@@ -122,6 +122,10 @@ int stress(const StressOptions& options, const GlobalOptions& global) {
   print_answer(global.json        ? stress_json(results)
                : options.markdown ? stress_markdown(results)
                                   : stress_text(results));
+  if (!results.measured_anything()) {
+    print_error("nothing was measured: no technique has an error at any value");
+    return kExitGateFailed;
+  }
   if (results.passes()) return kExitFine;
   print_error(fmt::format("{} cells are against the rules", results.violations().size()));
   return kExitGateFailed;

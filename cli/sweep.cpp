@@ -111,6 +111,13 @@ int sweep(const SweepOptions& options, const GlobalOptions& global) {
     const SweepOutcome outcome = run_sweep(loaded.plan, loaded.scenes, steps, {*reference, *loaded.realtime},
                                            store, scratch.folder(), progress, failed);
     print_warnings(store);
+    for (const std::string& reason : outcome.unmeasured) print_error(reason);
+    const bool is_all_skipped =
+        outcome.rendered + outcome.reused + outcome.not_done == 0 && outcome.skipped > 0;
+    if (is_all_skipped && loaded.plan.shard.count == 1)
+      print_error("nothing was measured: no run supports its scene's light");
+    if (!outcome.unmeasured.empty() || (is_all_skipped && loaded.plan.shard.count == 1))
+      code = std::max(code, kExitGateFailed);
     if (global.json) {
       all.push_back(outcome_json(outcome));
     } else {

@@ -16,6 +16,7 @@
 #include "core/files.h"
 #include "core/names.h"
 #include "report/report.h"
+#include "study/measured.h"
 #include "study/metadata.h"
 #include "study/results_json.h"
 #include "study/validation_memory.h"
@@ -38,6 +39,7 @@ struct ValidateOptions {
   std::string metrics;
   std::string baseline;
   std::optional<double> limit_rmse;
+  double min_scored = kMinScored;
   bool temporal = false;
   bool maps = false;
   bool no_reuse = false;
@@ -183,7 +185,25 @@ bool publish_results(const std::filesystem::path& staged, const std::filesystem:
   return true;
 }
 
-int verdict(const Results& results) {
+/// Of the whole library, scenes that no chosen technique supports are skipped as said, as long as one was measured.
+bool is_expected_skip(const ValidateOptions& options, const Results& results, const SceneResult& scene) {
+  if (!options.scenes.empty() || !scene.techniques.empty()) return false;
+  const bool is_whole_scene = std::ranges::any_of(
+      results.skipped, [&](const Skip& skip) { return skip.scene == scene.name && skip.technique.empty(); });
+  return !is_whole_scene;
+}
+
+/// Sentences for what was not measured.
+std::vector<std::string> unmeasured_of(const ValidateOptions& options, const Results& results) {
+  std::vector<MeasuredScene> asked = measured_scenes(results);
+  size_t index = 0;
+  std::erase_if(asked, [&](const MeasuredScene&) {
+    return is_expected_skip(options, results, results.scenes[index++]);
+  });
+  return unmeasured(asked, options.min_scored);
+}
+
+int verdict(const ValidateOptions& options, const Results& results) {
   int code = parity_passes(results) && !exceeds_limit(results) ? kExitFine : kExitGateFailed;
   if (exceeds_limit(results)) print_error("at least one technique exceeds --limit");
   for (const Failure& failure : all_failures(results)) {
@@ -192,6 +212,10 @@ int verdict(const Results& results) {
   }
   if (!parity_passes(results))
     print_error("the renderers disagree on at least one scene; its numbers are void");
+  for (const std::string& reason : unmeasured_of(options, results)) {
+    print_error(reason);
+    code = std::max(code, kExitGateFailed);
+  }
   return code;
 }
 
@@ -230,8 +254,11 @@ int validate(const ValidateOptions& options, const GlobalOptions& global) {
       },
       &memory);
   results.skipped.insert(results.skipped.begin(), work.skipped.begin(), work.skipped.end());
-  const int code = verdict(results);
-  if (!has_any_result(results)) return code;  // nothing worth replacing an earlier result with
+  const int code = verdict(options, results);
+  if (!has_any_result(results)) {  // nothing worth replacing an earlier result with
+    print_answer(global.json ? to_json_text_with_work(results) : validation_text(results, options.details));
+    return code;
+  }
   if (store.exists()) realtime.remember();
   for (size_t i = 0; store.exists() && i < work.names.size(); ++i)
     remember_scene(store, work.names[i], search, work.known[i]);
@@ -263,6 +290,10 @@ void add_validate(CLI::App& app, CommandLine& line) {
   verb->add_option("--limit", options->limit_rmse,
                    "RMSE that techniques must keep; exit code 1 when one does not")
       ->check(CLI::PositiveNumber);
+  verb->add_option("--min-scored", options->min_scored,
+                   "share of the pixels that the truth can score that must be scored, else exit code 1")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
   verb->add_option("--metrics", options->metrics, kMetricsHelp);
   verb->add_flag("--maps", options->maps, kMapsHelp);
   add_light_option(*verb, line.global);

@@ -41,6 +41,7 @@ std::vector<std::string> row(const SceneResult& scene, const TechniqueResult& ru
   return {scene.name,
           run.label,
           format_interval(error.rmse),
+          format_error(run.lit_rmse),
           format_signed_error(error.bias),
           format_error(error.over_shadowing),
           format_error(error.under_shadowing),
@@ -57,7 +58,7 @@ std::string table(const Results& results) {
   for (const SceneResult& scene : results.scenes) {
     for (const TechniqueResult& run : scene.techniques) rows.push_back(row(scene, run));
   }
-  return format_table({"scene", "technique", "RMSE [95 %]", "mean", "over", "under", "penumbra", "faults",
+  return format_table({"scene", "technique", "RMSE [95 %]", "lit", "mean", "over", "under", "penumbra", "faults",
                        "verdict", "grew", "time", "memory"},
                       rows);
 }
@@ -99,6 +100,19 @@ std::string warning_list(const Results& results) {
     list += fmt::format("warning: {}{}: {}\n", who.front(), others, text);
   }
   return list;
+}
+
+/// What no technique that gives visibility can mend.
+std::string model_gaps(const Results& results) {
+  std::string text;
+  for (const SceneResult& scene : results.scenes) {
+    if (!scene.reference || !scene.reference->model_gap_rmse) continue;
+    text += fmt::format(
+        "{}: model gap {} (irradiance ratio less visibility of the truth), {} of the lit picture\n",
+        scene.name, format_error(scene.reference->model_gap_rmse),
+        format_error(scene.reference->model_gap_lit_rmse));
+  }
+  return text;
 }
 
 /// What was asked for, and verdicts that more samples would decide.
@@ -145,15 +159,20 @@ std::string scene_line(const SceneResult& scene) {
 }
 
 std::string work_line(const WorkDone& work) {
-  return fmt::format("{} runs and {} truths rendered; {} runs and {} truths reused", work.rendered,
-                     work.references_rendered, work.reused, work.references_reused);
+  const auto count = [](size_t number, const char* what) {
+    return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
+  };
+  return fmt::format("{} and {} rendered; {} and {} reused", count(work.rendered, "run"),
+                     count(work.references_rendered, "truth"), count(work.reused, "run"),
+                     count(work.references_reused, "truth"));
 }
 
 std::string validation_text(const Results& results, bool with_details) {
-  return fmt::format("quality {}, {} x {} px, {} samples a pixel, seed {}\n\n{}\n{}{}{}{}", results.quality,
-                     results.picture.width_px, results.picture.height_px, results.picture.samples_per_pixel,
-                     results.picture.seed, table(results), with_details ? details(results) : "",
-                     findings(results), warning_list(results), skip_list(results));
+  return fmt::format("quality {}, {} x {} px, {} samples per pixel, seed {}\n\n{}\n{}{}{}{}{}",
+                     results.quality, results.picture.width_px, results.picture.height_px,
+                     results.picture.samples_per_pixel, results.picture.seed, table(results),
+                     model_gaps(results), with_details ? details(results) : "", findings(results),
+                     warning_list(results), skip_list(results));
 }
 
 }  // namespace umbrameter

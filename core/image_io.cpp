@@ -7,6 +7,10 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace umbrameter {
 
 namespace {
@@ -15,15 +19,15 @@ constexpr int kMaxSide = 16384;
 constexpr std::string_view kMetadataPrefix = "umbrameter:";
 
 void require_usable(const OIIO::ImageSpec& spec, const std::string& file) {
+  if (spec.deep) fail_input("the image is deep: it has several samples per pixel", {file}, "flatten it");
   if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1) {
     fail_input(
         fmt::format("the image is empty ({}x{}, {} channels)", spec.width, spec.height, spec.nchannels),
         {file});
   }
-  if (spec.width <= kMaxSide && spec.height <= kMaxSide) return;
-  fail_input(
-      fmt::format("the image is {}x{}, larger than {}x{}", spec.width, spec.height, kMaxSide, kMaxSide),
-      {file});
+  const int width = std::max(spec.width, spec.full_width), height = std::max(spec.height, spec.full_height);
+  if (width <= kMaxSide && height <= kMaxSide) return;
+  fail_input(fmt::format("the image is {}x{}, larger than {}x{}", width, height, kMaxSide, kMaxSide), {file});
 }
 
 void read_metadata(const OIIO::ImageSpec& spec, Image& image) {
@@ -32,6 +36,58 @@ void read_metadata(const OIIO::ImageSpec& spec, Image& image) {
     if (!name.starts_with(kMetadataPrefix)) continue;
     image.metadata[name.substr(kMetadataPrefix.size())] = attribute.get_string();
   }
+}
+
+int levels_of(const OIIO::ImageSpec& spec) {
+  if (spec.format.is_floating_point() || spec.format.basesize() > 2) return 0;
+  const int bits = spec.get_int_attribute("oiio:BitsPerSample", static_cast<int>(8 * spec.format.basesize()));
+  return (1 << bits) - 1;
+}
+
+/// OpenImageIO makes whole numbers of 32 bits shares of the largest one.
+float stored_value(const OIIO::ImageSpec& spec, int channel, float value) {
+  if (spec.channelformat(channel) != OIIO::TypeDesc::UINT32) return value;
+  return static_cast<float>(std::round(static_cast<double>(value) * std::numeric_limits<uint32_t>::max()));
+}
+
+/// Places the data window's `pixels` in the display window.
+void place(const OIIO::ImageSpec& spec, std::span<const float> pixels, ImagePart& part) {
+  const auto channels = static_cast<size_t>(spec.nchannels);
+  std::vector<std::span<float>> planes;
+  for (const std::string& name : spec.channelnames) planes.push_back(part.image.add_plane(name));
+  for (int y = 0; y < spec.height; ++y) {
+    const int to_y = spec.y + y - spec.full_y;
+    if (to_y < 0 || to_y >= part.image.height) continue;
+    for (int x = 0; x < spec.width; ++x) {
+      const int to_x = spec.x + x - spec.full_x;
+      if (to_x < 0 || to_x >= part.image.width) continue;
+      const size_t from = static_cast<size_t>(y) * static_cast<size_t>(spec.width) + static_cast<size_t>(x);
+      const size_t to =
+          static_cast<size_t>(to_y) * static_cast<size_t>(part.image.width) + static_cast<size_t>(to_x);
+      part.has_data[to] = 1;
+      for (size_t c = 0; c < channels; ++c)
+        planes[c][to] = stored_value(spec, static_cast<int>(c), pixels[from * channels + c]);
+    }
+  }
+}
+
+ImagePart read_part(OIIO::ImageInput& input, int index, const std::string& file) {
+  const OIIO::ImageSpec spec = input.spec(index);
+  require_usable(spec, file);
+  ImagePart part;
+  part.name = spec.get_string_attribute("oiio:subimagename");
+  part.format = input.format_name();
+  part.levels = levels_of(spec);
+  part.image = Image(spec.full_width, spec.full_height);
+  part.has_data.assign(part.image.pixel_count(), 0);
+  std::vector<float> pixels(static_cast<size_t>(spec.width) * static_cast<size_t>(spec.height) *
+                            static_cast<size_t>(spec.nchannels));
+  if (!input.read_image(index, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, pixels.data())) {
+    fail_input(fmt::format("the image is damaged or cut off: {}", input.geterror()), {file});
+  }
+  place(spec, pixels, part);
+  read_metadata(spec, part.image);
+  return part;
 }
 
 /// Channel-interleaved rows, as OpenImageIO wants them.
@@ -57,35 +113,47 @@ std::string write_pixels(OIIO::ImageOutput& output, const std::string& file, con
   return problem.empty() ? "unknown error" : problem;
 }
 
-Image read_opened(const std::unique_ptr<OIIO::ImageInput>& input, const std::string& file) {
+/// All parts of what was opened as `file`.
+std::vector<ImagePart> read_opened(const std::unique_ptr<OIIO::ImageInput>& input, const std::string& file) {
   if (!input) fail_input(fmt::format("not a readable image: {}", OIIO::geterror()), {file});
-  const OIIO::ImageSpec spec = input->spec();
-  require_usable(spec, file);
-  const auto channel_count = static_cast<size_t>(spec.nchannels);
-  Image image(spec.width, spec.height);
-  std::vector<float> pixels(image.pixel_count() * channel_count);
-  if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, pixels.data())) {
-    fail_input(fmt::format("the image is damaged or cut off: {}", input->geterror()), {file});
-  }
-  for (size_t c = 0; c < channel_count; ++c) {
-    const std::span<float> plane = image.add_plane(spec.channelnames[c]);
-    for (size_t i = 0; i < plane.size(); ++i) plane[i] = pixels[i * channel_count + c];
-  }
-  read_metadata(spec, image);
-  return image;
+  std::vector<ImagePart> parts;
+  for (int index = 0; input->seek_subimage(index, 0); ++index)
+    parts.push_back(read_part(*input, index, file));
+  static_cast<void>(input->geterror());  // that there is no further part
+  return parts;
+}
+
+/// Colours as they are stored, not multiplied by alpha.
+OIIO::ImageSpec as_stored() {
+  OIIO::ImageSpec spec;
+  spec.attribute("oiio:UnassociatedAlpha", 1);
+  return spec;
+}
+
+Image whole_first(std::vector<ImagePart> parts, const std::string& file) {
+  const ImagePart& first = parts.front();
+  if (std::ranges::find(first.has_data, 0) != first.has_data.end())
+    fail_input("the image's data do not fill its display window", {file});
+  return std::move(parts.front().image);
 }
 
 }  // namespace
 
-Image read_image(const std::filesystem::path& path) {
+std::vector<ImagePart> read_image_parts(const std::filesystem::path& path) {
   const std::string file = path.string();
   if (!std::filesystem::exists(path)) fail_input("the file does not exist", {file});
-  return read_opened(OIIO::ImageInput::open(file), file);
+  const OIIO::ImageSpec config = as_stored();
+  return read_opened(OIIO::ImageInput::open(file, &config), file);
+}
+
+Image read_image(const std::filesystem::path& path) {
+  return whole_first(read_image_parts(path), path.string());
 }
 
 Image read_image(std::span<const uint8_t> bytes, const std::string& name) {
   OIIO::Filesystem::IOMemReader reader(const_cast<uint8_t*>(bytes.data()), bytes.size());
-  return read_opened(OIIO::ImageInput::open(name, nullptr, &reader), name);
+  const OIIO::ImageSpec config = as_stored();
+  return whole_first(read_opened(OIIO::ImageInput::open(name, &config, &reader), name), name);
 }
 
 void write_exr(const std::filesystem::path& path, const Image& image) {

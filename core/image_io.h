@@ -7,13 +7,27 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace umbrameter {
 
-/// Reads any file OpenImageIO knows into float planes named by the file's channels; string attributes that
-/// start with "umbrameter:" come back as metadata without that prefix. Error{input} for missing, truncated,
-/// empty or larger than 16384 x 16384 images.
+/// One part (subimage) of a file, on its display window.
+struct ImagePart {
+  std::string name;               // of the part; often empty
+  Image image;                    // 0 where the file has no data
+  std::vector<uint8_t> has_data;  // [height][width]: the data window covers the pixel
+  int levels = 0;                 // 255 for 8 bits, 65535 for 16; 0 for floats
+  std::string format;             // OpenImageIO's name: "openexr", "png", "jpeg"
+};
+
+/// Reads all parts of any file OpenImageIO knows into float planes named by the file's channels. Colours come as they are
+/// stored: never multiplied by alpha. Whole numbers of 32 bits keep their value. String attributes that start with
+/// "umbrameter:" come back as metadata without that prefix. Error{input} for missing, truncated, empty or deep images and
+/// those larger than 16384 x 16384.
+std::vector<ImagePart> read_image_parts(const std::filesystem::path& path);
+
+/// The first part; Error{input} also where its data do not fill the display window.
 Image read_image(const std::filesystem::path& path);
 /// The same of a file's bytes; `name` ends like the file would (".png") and stands in messages.
 Image read_image(std::span<const uint8_t> bytes, const std::string& name);

@@ -27,8 +27,9 @@ struct RenderRequest {
 /// What came out. Channels by renderer:
 /// both: position.x/y/z (world), normal.x/y/z (geometric, unit, facing the camera), shading_normal.x/y/z,
 ///   primitive_id (-1 = nothing hit), unshadowed_irradiance.
-/// reference: visibility, visibility_se, irradiance_ratio, half_a, half_b, sample_count, blocker_distance,
-///   blocker_distance_min, blocker_distance_p10, blocker_layers, penumbra_width, contact_distance.
+/// reference: visibility, visibility_se, half_a, half_b, irradiance_ratio, irradiance_ratio_se, irradiance_half_a,
+///   irradiance_half_b, sample_count, blocker_distance, blocker_distance_min, blocker_distance_p10, blocker_layers,
+///   penumbra_width, contact_distance.
 /// real time: visibility; where one map is drawn from the light's centre also texel.x/y (the point's place in
 ///   that map, in texels), texel_world (width of a texel facing the light there), maybe bias_world; 0 = no hit.
 struct Frame {

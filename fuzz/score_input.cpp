@@ -3,9 +3,7 @@
 
 #include "fuzz/fuzz_file.h"
 
-#include "core/image_io.h"
-#include "study/engine_image.h"
-#include "study/score.h"
+#include "study/picture_score.h"
 
 namespace {
 
@@ -34,10 +32,12 @@ Image floor_of(int width, int height) {
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const std::filesystem::path path = fuzz::write("fuzz.exr", {data, size});
   fuzz::expect_answer_or_sentence([&] {
-    const Image image = read_image(path);
-    if (image.pixel_count() > 4096) return;
-    visibility_of(decode_engine_image(image, path.string(), ""));
-    score_image(with_visibility(image, path.string()), floor_of(image.width, image.height), {0.0, 9.0, 0.0});
+    PictureFiles files;
+    files.picture = path.string();
+    const PictureInput input = read_picture_input(files);
+    if (input.picture.light.size() > 4096) return;
+    const Image reference = floor_of(input.picture.width, input.picture.height);
+    score_picture(align_picture(input, {}, reference), reference, {0.0, 9.0, 0.0}, {}, {});
   });
   return 0;
 }

@@ -39,6 +39,11 @@ float largest_irradiance(std::span<const float> primitive, std::span<const float
   return largest;
 }
 
+float irradiance_threshold(const Image& reference) {
+  return 1e-6f *
+         largest_irradiance(reference.plane("primitive_id"), reference.plane("unshadowed_irradiance"));
+}
+
 double relative_distance(const Surface& test, const Surface& reference, size_t i,
                          const glm::dvec3& eye_world) {
   const glm::dvec3 at = reference.view.p_world(i);
@@ -144,7 +149,7 @@ std::vector<uint8_t> scored_mask(const Parity& parity, const Image& reference) {
                            parity.height, reference.width, reference.height));
   }
   const std::span<const float> irradiance = reference.plane("unshadowed_irradiance");
-  const float threshold = 1e-6f * largest_irradiance(reference.plane("primitive_id"), irradiance);
+  const float threshold = irradiance_threshold(reference);
   std::vector<uint8_t> mask(parity.classes.size());
   for_each_row(reference.height, [&](int y) {
     const size_t width = static_cast<size_t>(reference.width);
@@ -153,6 +158,16 @@ std::vector<uint8_t> scored_mask(const Parity& parity, const Image& reference) {
       mask[i] = parity.classes[i] == ParityClass::agrees && irradiance[i] > threshold ? 1 : 0;
     }
   });
+  return mask;
+}
+
+std::vector<uint8_t> scorable_mask(const Image& reference) {
+  const auto primitive = reference.plane("primitive_id"),
+             irradiance = reference.plane("unshadowed_irradiance");
+  const float threshold = irradiance_threshold(reference);
+  std::vector<uint8_t> mask(primitive.size());
+  for (size_t i = 0; i < mask.size(); ++i)
+    mask[i] = primitive[i] >= 0.0f && irradiance[i] > threshold ? 1 : 0;
   return mask;
 }
 

@@ -46,4 +46,7 @@ Parity compare_surfaces(const Image& test, const Image& reference, const double 
 /// the image's largest).
 std::vector<uint8_t> scored_mask(const Parity& parity, const Image& reference);
 
+/// 1 where the truth can score a pixel at all: it shows a surface that the light can reach, as scored_mask has it.
+std::vector<uint8_t> scorable_mask(const Image& reference);
+
 }  // namespace umbrameter

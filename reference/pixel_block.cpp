@@ -70,13 +70,14 @@ PixelEstimate proven_estimate(LightProof proof, const LightPatch& patch) {
   if (proof != LightProof::lit) return estimate;
   estimate.visibility = estimate.half_a = estimate.half_b = 1.0;
   estimate.irradiance_ratio = is_unlit(patch) ? 0.0 : 1.0;
+  estimate.irradiance_half_a = estimate.irradiance_half_b = estimate.irradiance_ratio;
   return estimate;
 }
 
 PixelEstimate sampled_estimate(LightProof proof, const PixelSamples& samples) {
   PixelEstimate estimate = estimate_pixel(samples.kept[0], samples.kept[1]);
   estimate.sample_count = kReplicates * samples.sums.points;
-  if (proof != LightProof::none) estimate.visibility_se = 0.0;
+  if (proof != LightProof::none) estimate.visibility_se = estimate.irradiance_ratio_se = 0.0;
   return estimate;
 }
 

@@ -34,6 +34,8 @@ struct ReferenceSettings {
 //       agree can still miss an occluder. 0 only where visibility is proven (reference/light_proof.h).
 //   irradiance_ratio
 //       S = sum(w v) / sum(w), w = cosine (shading normal) x cosine at the light x falloff; 0 where sum(w) is 0.
+//   irradiance_ratio_se, irradiance_half_a, irradiance_half_b
+//       Of S what visibility_se, half_a and half_b are of visibility; the error of a ratio by the delta method.
 //   unshadowed_irradiance
 //       unshadowed_irradiance() of scenes/light.h: per unit radiance; sun: per unit irradiance at normal incidence.
 //   sample_count
@@ -45,7 +47,7 @@ struct ReferenceSettings {
 //       a sheet is. Surfaces closer than 1e-6 of their distance count once. Mean width (world) that the penumbra has across
 //       the rays, by similar triangles from the first surface and the light's width (diameter; of a rectangle the root of
 //       its area). Least height (world) of a first surface over the receiver's plane: 0 where a blocker stands on it.
-// Background: visibility, halves and irradiance_ratio are 1, primitive_id -1, everything else 0.
+// Background: visibility, irradiance_ratio and their halves are 1, primitive_id -1, everything else 0.
 
 /// Independently scrambled Sobol sets per pixel: 4 make half A, 4 make half B; their spread gives the
 /// standard error (7 degrees of freedom).

@@ -16,6 +16,9 @@ ReferencePlanes::ReferencePlanes(Image& image, bool with_blockers)
       half_a_(image.add_plane("half_a", 1.0f)),
       half_b_(image.add_plane("half_b", 1.0f)),
       irradiance_ratio_(image.add_plane("irradiance_ratio", 1.0f)),
+      irradiance_ratio_se_(image.add_plane("irradiance_ratio_se")),
+      irradiance_half_a_(image.add_plane("irradiance_half_a", 1.0f)),
+      irradiance_half_b_(image.add_plane("irradiance_half_b", 1.0f)),
       sample_count_(image.add_plane("sample_count")) {
   if (!with_blockers) return;
   blocker_distance_ = image.add_plane("blocker_distance");
@@ -53,6 +56,9 @@ void ReferencePlanes::write_light(size_t pixel, const PixelEstimate& estimate) {
   half_a_[pixel] = static_cast<float>(estimate.half_a);
   half_b_[pixel] = static_cast<float>(estimate.half_b);
   irradiance_ratio_[pixel] = static_cast<float>(estimate.irradiance_ratio);
+  irradiance_ratio_se_[pixel] = static_cast<float>(estimate.irradiance_ratio_se);
+  irradiance_half_a_[pixel] = static_cast<float>(estimate.irradiance_half_a);
+  irradiance_half_b_[pixel] = static_cast<float>(estimate.irradiance_half_b);
   sample_count_[pixel] = static_cast<float>(estimate.sample_count);
 }
 

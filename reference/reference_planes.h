@@ -35,7 +35,8 @@ class ReferencePlanes {
   int height_;
   Vector position_, normal_, shading_normal_;
   Plane primitive_id_, unshadowed_irradiance_;
-  Plane visibility_, visibility_se_, half_a_, half_b_, irradiance_ratio_, sample_count_;
+  Plane visibility_, visibility_se_, half_a_, half_b_;
+  Plane irradiance_ratio_, irradiance_ratio_se_, irradiance_half_a_, irradiance_half_b_, sample_count_;
   Plane blocker_distance_, blocker_distance_min_, blocker_distance_p10_, blocker_layers_;
   Plane penumbra_width_, contact_distance_;
 };

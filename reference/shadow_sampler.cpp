@@ -128,18 +128,42 @@ double standard_error_by(Half half, const PixelSums& sums) {
   return std::max(least_error(kReplicates * sums.points), spread);
 }
 
+namespace {
+
+/// S of the whole and of its halves, and its standard error from the replicates' residuals (delta method of a ratio).
+void estimate_irradiance(const std::array<ReplicateSums, kReplicates>& replicates, PixelEstimate& estimate) {
+  std::array<double, 2> weight{}, seen{};
+  for (size_t r = 0; r < kReplicates; ++r) {
+    weight[r / kHalf] += replicates[r].weight;
+    seen[r / kHalf] += replicates[r].weight_seen;
+  }
+  const double all = weight[0] + weight[1];
+  if (!(weight[0] > 0.0 && weight[1] > 0.0)) return;
+  estimate.irradiance_half_a = seen[0] / weight[0];
+  estimate.irradiance_half_b = seen[1] / weight[1];
+  estimate.irradiance_ratio = (seen[0] + seen[1]) / all;
+  double squares = 0.0;
+  for (const ReplicateSums& sums : replicates) {
+    const double residual = sums.weight_seen - estimate.irradiance_ratio * sums.weight;
+    squares += residual * residual;
+  }
+  const double spread = kReplicates / all * std::sqrt(squares / (kReplicates * (kReplicates - 1)));
+  estimate.irradiance_ratio_se = std::max(least_error(estimate.sample_count), spread);
+}
+
+}  // namespace
+
 PixelEstimate estimate_pixel(const PixelSums& a, const PixelSums& b) {
   PixelEstimate estimate;
   if (a.points == 0 || b.points == 0) return estimate;
   std::array<double, kReplicates> means;
-  double weight = 0.0, weight_seen = 0.0;
+  std::array<ReplicateSums, kReplicates> replicates;
   for (size_t r = 0; r < kReplicates; ++r) {
     const PixelSums& sums = r < kHalf ? a : b;
     means[r] = mean_of(sums, r);
     (r < kHalf ? estimate.half_a : estimate.half_b) += means[r] / kHalf;
     const double each = static_cast<double>(a.points) / sums.points;
-    weight += each * sums.replicates[r].weight;
-    weight_seen += each * sums.replicates[r].weight_seen;
+    replicates[r] = {0, each * sums.replicates[r].weight, each * sums.replicates[r].weight_seen};
   }
   estimate.visibility = 0.5 * (estimate.half_a + estimate.half_b);
   // Right for replicates of unequal variance too, as long as they are independent.
@@ -148,7 +172,7 @@ PixelEstimate estimate_pixel(const PixelSums& a, const PixelSums& b) {
   estimate.sample_count = kHalf * (a.points + b.points);
   estimate.visibility_se =
       std::max(least_error(estimate.sample_count), std::sqrt(squares / (kReplicates * (kReplicates - 1))));
-  estimate.irradiance_ratio = weight > 0.0 ? weight_seen / weight : 0.0;
+  estimate_irradiance(replicates, estimate);
   return estimate;
 }
 

@@ -25,6 +25,9 @@ struct PixelEstimate {
   double half_a = 0.0;
   double half_b = 0.0;
   double irradiance_ratio = 0.0;
+  double irradiance_ratio_se = 0.0;
+  double irradiance_half_a = 0.0;
+  double irradiance_half_b = 0.0;
   uint32_t sample_count = 0;
 };
 

@@ -121,6 +121,8 @@ void score_runs(const Context& context, const Pictures& pictures, BenchScene& sc
   scene.parity = parity_numbers(parity, tolerance.required_agreement);
   if (!parity.passes) return;
   const std::vector<uint8_t> mask = scored_mask(parity, reference.image);
+  scene.scorable_pixels = static_cast<size_t>(std::ranges::count(scorable_mask(reference.image), 1));
+  scene.scored_pixels = static_cast<size_t>(std::ranges::count(mask, 1));
   for (size_t i = 0; i < scene.entries.size(); ++i) {
     BenchEntry& entry = scene.entries[i];
     if (entry.failure) continue;

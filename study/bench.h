@@ -56,6 +56,8 @@ struct BenchScene {
   std::optional<Failure> failure;  // of the truth: times stand, errors do not
   std::string reference_device;
   std::optional<ParityNumbers> parity;
+  size_t scorable_pixels = 0,
+         scored_pixels = 0;  // that the truth can score, and of them those with one surface
   std::vector<BenchEntry> entries;
   std::vector<ClaimResult> claims;  // those that speak of this scene
   std::optional<TruthCurve> truth;  // when it was asked for

@@ -57,8 +57,11 @@ struct ReferenceResult {
   double mean_visibility_se = 0.0;  // over covered pixels; 0 when there are none
   double max_visibility_se = 0.0;
   double mean_sample_count = 0.0;
-  double proven_lit_share = 0.0;   // of the covered pixels: no caster between them and the light
-  double proven_dark_share = 0.0;  // one triangle, or their own surface, hides all of the light
+  size_t scorable_pixels = 0;                // surfaces that the light can reach
+  std::optional<double> model_gap_rmse;      // of S - V of the truth, below which no visibility can come
+  std::optional<double> model_gap_lit_rmse;  // the same of the lit picture (metrics/lit_error.h)
+  double proven_lit_share = 0.0;             // of the covered pixels: no caster between them and the light
+  double proven_dark_share = 0.0;            // one triangle, or their own surface, hides all of the light
   std::vector<std::string> warnings;
   std::string measured_at;   // UTC
   bool is_reused = false;    // taken from the store by this process; not written
@@ -84,6 +87,7 @@ struct TechniqueResult {
   ParameterValues parameters;
   std::optional<Failure> failure;
   std::optional<VisibilityError> error;
+  std::optional<double> lit_rmse;           // of the lit picture (metrics/lit_error.h)
   Judgement judgement;                      // empty without `error`
   std::optional<Diagnosis> diagnosis;       // absent without `error`, and when a warning says why
   std::optional<TemporalNumbers> temporal;  // when asked for
@@ -113,6 +117,7 @@ struct SceneResult {
   std::string light_name;
   std::string light_type;
   uint64_t triangles = 0;
+  std::string quantity = "visibility";  // that runs were compared as (study/shadow_quantity.h)
   std::vector<std::string> warnings;
   std::optional<Failure> failure;  // the reference, the G-buffer or the comparison failed
   std::optional<ReferenceResult> reference;

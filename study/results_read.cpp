@@ -22,6 +22,7 @@ SceneResult read_scene(const Json& json) {
   scene.light_name = json.at("light").at("name");
   scene.light_type = json.at("light").at("type");
   scene.triangles = json.at("triangles");
+  scene.quantity = json.at("quantity");
   scene.warnings = json.at("warnings").get<std::vector<std::string>>();
   scene.failure = read_failure(json.at("failure"));
   scene.reference = read_reference(json.at("reference"));

@@ -24,6 +24,7 @@ Json scene_json(const SceneResult& scene) {
           {"hash", scene.hash},
           {"light", {{"name", scene.light_name}, {"type", scene.light_type}}},
           {"triangles", scene.triangles},
+          {"quantity", scene.quantity},
           {"warnings", scene.warnings},
           {"failure", failure_json(scene.failure)},
           {"reference", reference_json(scene.reference)},
@@ -67,20 +68,28 @@ std::string to_json_text_with_work(const Results& results) {
   return dump(json);
 }
 
-std::string to_json_text(const Score& score, const std::string& test_file,
-                         const std::string& reference_file) {
+Json picture_json(const PictureScore& picture, const std::string& test_file,
+                  const std::string& reference_file) {
+  const Score& score = picture.score;
   const ParityNumbers numbers = parity_numbers(score.parity, ParityTolerance{}.required_agreement);
   Json parity = parity_json(score.has_surfaces ? std::optional(numbers) : std::nullopt);
   if (!parity.is_null()) parity.erase("picture_file");
   Json json{{"test", test_file},
             {"reference", reference_file},
+            {"quantity", to_text(picture.quantity)},
+            {"quantity_given", picture.is_quantity_given},
+            {"other_rmse", interval_json(picture.other_rmse)},
             {"parity", parity},
-            {"error", score.error ? error_json(*score.error) : Json(nullptr)}};
+            {"scorable_pixels", score.scorable_pixels},
+            {"error", score.error ? error_json(*score.error) : Json(nullptr)},
+            {"lit_rmse", optional_json(score.lit_rmse)}};
   add_judgement(score.judgement, json);
   add_diagnosis(score.diagnosis, json);
   json["similarity"] = similarity_json(score.similarity);
   json["no_diagnosis"] = failure_json(score.no_diagnosis);
-  return dump(json);
+  json["notes"] = picture.notes;
+  json["mean_square_rounding"] = picture.mean_square_rounding;
+  return json;
 }
 
 }  // namespace umbrameter

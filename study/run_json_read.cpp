@@ -101,6 +101,7 @@ TechniqueResult read_technique(const nlohmann::json& json) {
   run.parameters = read_parameters(json.at("parameters"));
   run.failure = read_failure(json.at("failure"));
   run.error = read_error(json.at("error"));
+  run.lit_rmse = read_optional<double>(json.at("lit_rmse"));
   run.clipped_share = json.at("clipped_share");
   run.pass_times = read_times(json.at("pass_times"));
   run.timer = json.at("timer");
@@ -130,6 +131,9 @@ std::optional<ReferenceResult> read_reference(const nlohmann::json& json) {
   reference.mean_visibility_se = json.at("mean_visibility_se");
   reference.max_visibility_se = json.at("max_visibility_se");
   reference.mean_sample_count = json.at("mean_sample_count");
+  reference.scorable_pixels = json.at("scorable_pixels");
+  reference.model_gap_rmse = read_optional<double>(json.at("model_gap_rmse"));
+  reference.model_gap_lit_rmse = read_optional<double>(json.at("model_gap_lit_rmse"));
   reference.proven_lit_share = json.at("proven_lit_share");
   reference.proven_dark_share = json.at("proven_dark_share");
   reference.measured_at = json.at("measured_at");

@@ -114,10 +114,7 @@ Image require_reference(const SceneContext& context, SceneResult& scene) {
   if (scene.failure) return {};
   result.measured_at = time_now();
   add_metadata(frame, context.scene, request);
-  result.image_file = context.relative("reference.exr");
-  save_image(context, result.image_file, frame.image);
-  save_visibility(context, frame.image, result);
-  scene.reference = result;
+  take_truth(context, frame.image, std::move(result), scene);
   return std::move(frame.image);
 }
 
@@ -128,50 +125,33 @@ void compare_renderers(const SceneContext& context, const Image& surfaces, const
   const ParityTolerance tolerance;
   Parity parity;
   scene.failure = guarded([&] { parity = compare_surfaces(surfaces, reference, eye_world, tolerance); });
-  if (scene.failure) return;
-  ParityNumbers numbers = parity_numbers(parity, tolerance.required_agreement);
+  if (!scene.failure) take_parity(context, parity, scene);
+}
+
+void take_parity(const SceneContext& context, const Parity& parity, SceneResult& scene) {
+  ParityNumbers numbers = parity_numbers(parity, ParityTolerance{}.required_agreement);
   numbers.picture_file = context.relative("parity.png");
   save_picture(context, numbers.picture_file, parity_picture(parity));
   scene.parity = numbers;
+}
+
+void take_truth(const SceneContext& context, const Image& image, ReferenceResult result, SceneResult& scene) {
+  result.image_file = context.relative("reference.exr");
+  save_image(context, result.image_file, image);
+  save_visibility(context, image, result);
+  scene.reference = std::move(result);
 }
 
 namespace {
 
 void score_technique(const SceneContext& context, const Image& reference, TechniqueFrame& run,
                      SharedTruth& shared) {
-  TechniqueResult& result = run.result;
-  const Image& image = run.frame.image;
-  const std::string stem = file_name_of(result.label);
   Score score;
-  result.failure = guarded([&] {
-    score = score_image(image, reference, context.scene.camera.eye_world,
+  run.result.failure = guarded([&] {
+    score = score_image(run.frame.image, reference, context.scene.camera.eye_world,
                         {context.plan.metrics, context.plan.limit_rmse, context.plan.maps}, &shared);
   });
-  if (result.failure) return;
-  result.picture_file = context.relative(stem + ".png");
-  save_picture(context, result.picture_file, visibility_picture(image));
-  if (!score.error) return;
-  result.error = score.error;
-  result.judgement = score.judgement;
-  result.similarity = score.similarity;
-  if (score.maps) {
-    result.maps_file = context.relative(stem + "-maps.exr");
-    save_image(context, result.maps_file, *score.maps);
-  }
-  run.mask = score.mask;
-  result.error_picture_file = context.relative(stem + "-error.png");
-  const Picture picture = signed_error_picture(image, reference, score.mask);
-  result.clipped_share = picture.clipped_share;
-  save_picture(context, result.error_picture_file, picture);
-  result.diagnosis = score.diagnosis;
-  if (score.no_diagnosis) {
-    result.warnings.push_back("the faults could not be told apart: " + score.no_diagnosis->message);
-    return;
-  }
-  if (!score.diagnosis) return;
-  result.fault_picture_file = context.relative(stem + "-faults.png");
-  save_picture(context, result.fault_picture_file,
-               fault_picture(score.fault_classes, image.width, image.height));
+  if (!run.result.failure) take_score(context, reference, std::move(score), run);
 }
 
 /// A picture equal to that of `twin`, which is scored: its scores are the same, and so are its maps.
@@ -190,6 +170,7 @@ void take_scores(const SceneContext& context, const TechniqueFrame& twin, Techni
   result.fault_picture_file = copied(from.fault_picture_file, "-faults.png");
   result.maps_file = copied(from.maps_file, "-maps.exr");
   result.error = from.error;
+  result.lit_rmse = from.lit_rmse;
   result.judgement = from.judgement;
   result.judgement.verdict.reset();
   result.similarity = from.similarity;
@@ -214,6 +195,37 @@ const TechniqueFrame* twin_of(const ValidationPlan& plan, const TechniqueFrame& 
 }
 
 }  // namespace
+
+void take_score(const SceneContext& context, const Image& reference, Score score, TechniqueFrame& run) {
+  TechniqueResult& result = run.result;
+  const Image& image = run.frame.image;
+  const std::string stem = file_name_of(result.label);
+  result.picture_file = context.relative(stem + ".png");
+  save_picture(context, result.picture_file, visibility_picture(image));
+  if (!score.error) return;
+  result.error = score.error;
+  result.lit_rmse = score.lit_rmse;
+  result.judgement = score.judgement;
+  result.similarity = score.similarity;
+  if (score.maps) {
+    result.maps_file = context.relative(stem + "-maps.exr");
+    save_image(context, result.maps_file, *score.maps);
+  }
+  run.mask = std::move(score.mask);
+  result.error_picture_file = context.relative(stem + "-error.png");
+  const Picture picture = signed_error_picture(image, reference, run.mask);
+  result.clipped_share = picture.clipped_share;
+  save_picture(context, result.error_picture_file, picture);
+  result.diagnosis = score.diagnosis;
+  if (score.no_diagnosis) {
+    result.warnings.push_back("the faults could not be told apart: " + score.no_diagnosis->message);
+    return;
+  }
+  if (!score.diagnosis) return;
+  result.fault_picture_file = context.relative(stem + "-faults.png");
+  save_picture(context, result.fault_picture_file,
+               fault_picture(score.fault_classes, image.width, image.height));
+}
 
 void score_techniques(const SceneContext& context, const Image& reference, std::span<TechniqueFrame> runs) {
   SharedTruth shared;

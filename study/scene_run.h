@@ -2,6 +2,7 @@
 #pragma once
 // The steps of one scene's validation, each guarded on its own. Not here: their order (study/validation.cpp).
 
+#include "study/score.h"
 #include "study/validation.h"
 
 namespace umbrameter {
@@ -49,6 +50,11 @@ void compare_renderers(const SceneContext& context, const Image& surfaces, const
 
 /// Sets the errors of the runs that are not reused, or their failures, and stores their pictures.
 void score_techniques(const SceneContext& context, const Image& reference, std::span<TechniqueFrame> runs);
+
+// The same where frames and scores are there already: what they become in the results, with their pictures.
+void take_truth(const SceneContext& context, const Image& image, ReferenceResult result, SceneResult& scene);
+void take_parity(const SceneContext& context, const Parity& parity, SceneResult& scene);
+void take_score(const SceneContext& context, const Image& reference, Score score, TechniqueFrame& run);
 
 /// The run that the others' verdicts compare with; null when verdicts are not wanted and when it has no score here.
 TechniqueFrame* baseline_of(const ValidationPlan& plan, std::span<TechniqueFrame> runs);

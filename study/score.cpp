@@ -2,10 +2,9 @@
 #include "study/score.h"
 
 #include "core/error.h"
+#include "metrics/lit_error.h"
 #include "study/guard.h"
 #include "study/maps.h"
-
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -19,24 +18,6 @@ constexpr std::array<std::string_view, 8> kSurfaceChannels{
     "position.x", "position.y", "position.z",   "normal.x",
     "normal.y",   "normal.z",   "primitive_id", "unshadowed_irradiance"};
 
-bool is_grey(const Image& image) {
-  if (!image.has("R") || !image.has("G") || !image.has("B")) return false;
-  const auto r = image.plane("R");
-  const auto g = image.plane("G");
-  const auto b = image.plane("B");
-  return std::equal(r.begin(), r.end(), g.begin()) && std::equal(r.begin(), r.end(), b.begin());
-}
-
-std::string visibility_channel(const Image& image, const std::string& file) {
-  if (image.has("Y")) return "Y";
-  if (image.planes.size() == 1) return image.planes.begin()->first;
-  if (is_grey(image)) return "R";
-  std::vector<std::string> names;
-  for (const auto& [name, plane] : image.planes) names.push_back(name);
-  fail_input(fmt::format("the image has no visibility channel, only {}", fmt::join(names, ", ")), {file},
-             "name the channel 'visibility', or give a grey image");
-}
-
 const SimilarityReference& similarity_reference(const Image& reference, std::span<const uint8_t> mask,
                                                 SharedTruth& shared) {
   if (!shared.similarity || !std::ranges::equal(shared.similarity->mask(), mask))
@@ -45,14 +26,6 @@ const SimilarityReference& similarity_reference(const Image& reference, std::spa
 }
 
 }  // namespace
-
-Image with_visibility(Image image, const std::string& file) {
-  if (image.has("visibility")) return image;
-  auto node = image.planes.extract(visibility_channel(image, file));
-  node.key() = "visibility";
-  image.planes.insert(std::move(node));
-  return image;
-}
 
 bool has_surfaces(const Image& image) {
   return std::all_of(kSurfaceChannels.begin(), kSurfaceChannels.end(),
@@ -81,11 +54,15 @@ Score score_image(const Image& test, const Image& reference, const glm::dvec3& e
   SharedTruth own;
   SharedTruth& truth = shared != nullptr ? *shared : own;
   score.has_surfaces = has_surfaces(test);
+  const std::vector<uint8_t> scorable = scorable_mask(reference);
+  score.scorable_pixels = static_cast<size_t>(std::ranges::count(scorable, 1));
   const double eye[3] = {eye_world.x, eye_world.y, eye_world.z};
   score.parity = compare_surfaces(score.has_surfaces ? test : reference, reference, eye);
   if (!score.parity.passes) return score;
   score.mask = scored_mask(score.parity, reference);
+  for (size_t i = 0; i < settings.known.size(); ++i) score.mask[i] &= settings.known[i];
   score.error = measure_visibility_error(test, reference, score.mask);
+  if (reference.has("irradiance_half_a")) score.lit_rmse = measure_lit_error(test, reference, score.mask);
   if (settings.maps) score.maps = Image(test.width, test.height);
   Image* maps = score.maps ? &*score.maps : nullptr;
   if (settings.metrics.significance) {

@@ -13,6 +13,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -22,8 +23,11 @@ namespace umbrameter {
 struct Score {
   bool has_surfaces = false;  // whether the test image brought what parity needs
   Parity parity;  // without surfaces: the reference against itself, so it only finds the background
-  std::vector<uint8_t> mask;  // scored pixels; empty when parity fails
+  std::vector<uint8_t> mask;   // scored pixels; empty when parity fails
+  size_t scorable_pixels = 0;  // that the truth can score
   std::optional<VisibilityError> error;
+  std::optional<double>
+      lit_rmse;  // of the lit picture (metrics/lit_error.h); absent where the reference has no halves of S
   Judgement judgement;  // without a verdict: see judge_against
   std::optional<Diagnosis> diagnosis;
   std::vector<FaultClass> fault_classes;  // [height][width]; empty without diagnosis
@@ -35,7 +39,8 @@ struct Score {
 struct ScoreSettings {
   MetricChoice metrics;
   std::optional<double> limit_rmse;
-  bool maps = false;  // of the metrics that are asked for
+  bool maps = false;                    // of the metrics that are asked for
+  std::span<const uint8_t> known = {};  // pixels of the picture that may be scored; empty: all
 };
 
 /// What the scores of one reference share, kept from one to the next; made anew where the mask is another.
@@ -43,17 +48,13 @@ struct SharedTruth {
   std::optional<SimilarityReference> similarity;
 };
 
-/// The image with its visibility under that name. Accepts `visibility`, `Y`, a single channel of any name, or
-/// R of an image whose R, G and B are equal; Error{input} naming `file` and its channels otherwise.
-Image with_visibility(Image image, const std::string& file);
-
 /// True when `image` has all channels that compare_surfaces needs.
 bool has_surfaces(const Image& image);
 
 /// Eye position that add_metadata stored; Error{input} when it is missing or malformed.
 glm::dvec3 eye_of(const Image& reference, const std::string& file);
 
-/// Scores `test` (see with_visibility) where its surfaces agree with the reference's; `shared`, if given, is of this
+/// Scores visibility of `test` where its surfaces agree with the reference's; `shared`, if given, is of this
 /// reference. Error{input} for size mismatch, missing reference channels, NaN and values outside [0,1].
 Score score_image(const Image& test, const Image& reference, const glm::dvec3& eye_world,
                   const ScoreSettings& settings = {}, SharedTruth* shared = nullptr);

@@ -72,16 +72,20 @@ void add_samples(Image& truth, const Image& more) {
     const float all = samples[i] + extra[i];
     if (all > 0.0f) share[i] = extra[i] / all;
   }
-  for (const char* channel : {"visibility", "half_a", "half_b", "irradiance_ratio"}) {
+  for (const char* channel :
+       {"visibility", "half_a", "half_b", "irradiance_ratio", "irradiance_half_a", "irradiance_half_b"}) {
     if (!truth.has(channel)) continue;
     const std::span<float> mean = truth.plane(channel);
     const std::span<const float> other = more.plane(channel);
     for (size_t i = 0; i < share.size(); ++i) mean[i] += share[i] * (other[i] - mean[i]);
   }
-  const std::span<float> se = truth.plane("visibility_se");
-  const std::span<const float> other_se = more.plane("visibility_se");
-  for (size_t i = 0; i < share.size(); ++i)
-    se[i] = std::hypot((1.0f - share[i]) * se[i], share[i] * other_se[i]);
+  for (const char* channel : {"visibility_se", "irradiance_ratio_se"}) {
+    if (!truth.has(channel)) continue;
+    const std::span<float> se = truth.plane(channel);
+    const std::span<const float> other_se = more.plane(channel);
+    for (size_t i = 0; i < share.size(); ++i)
+      se[i] = std::hypot((1.0f - share[i]) * se[i], share[i] * other_se[i]);
+  }
   for (size_t i = 0; i < share.size(); ++i) samples[i] += extra[i];
 }
 

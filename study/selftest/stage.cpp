@@ -3,6 +3,7 @@
 
 #include "metrics/truth_check.h"
 #include "study/guard.h"
+#include "study/measured.h"
 #include "study/metadata.h"
 #include "study/score.h"
 
@@ -15,11 +16,22 @@ namespace umbrameter {
 namespace {
 
 constexpr double kSamePlace = 1e-3;  // of the distance to the eye
-constexpr std::array kShadowChannels = {
-    "visibility",       "visibility_se", "half_a",           "half_b",
-    "irradiance_ratio", "sample_count",  "blocker_distance", "blocker_distance_min",
-    "blocker_layers",   "texel.x",       "texel.y",          "texel_world",
-    "bias_world"};
+constexpr std::array kShadowChannels = {"visibility",
+                                        "visibility_se",
+                                        "half_a",
+                                        "half_b",
+                                        "irradiance_ratio",
+                                        "irradiance_ratio_se",
+                                        "irradiance_half_a",
+                                        "irradiance_half_b",
+                                        "sample_count",
+                                        "blocker_distance",
+                                        "blocker_distance_min",
+                                        "blocker_layers",
+                                        "texel.x",
+                                        "texel.y",
+                                        "texel_world",
+                                        "bias_world"};
 
 std::string text_of(const TechniqueChoice& choice) {
   return choice.technique + " " + to_text(choice.parameters);
@@ -61,6 +73,10 @@ Examined examine(const Image& picture, const Image& truth, const glm::dvec3& eye
   out.run.parity_passes = score.parity.passes;
   out.run.is_other_light = score.parity.is_other_light;
   if (!score.parity.passes) return out;
+  if (const auto reason = unmeasured(score.error->scored_pixels, score.scorable_pixels)) {
+    out.run.failure = Failure{ErrorKind::input, *reason};
+    return out;
+  }
   out.run.truth_problems = truth_problems(truth, score.mask);
   out.run.error = score.error;
   out.run.diagnosis = score.diagnosis;

@@ -2,6 +2,8 @@
 #include "study/store/stored_truth.h"
 
 #include "core/image_io.h"
+#include "metrics/lit_error.h"
+#include "metrics/parity.h"
 
 #include <algorithm>
 
@@ -33,11 +35,22 @@ void summarise_errors(const Image& image, ReferenceResult& result) {
   result.proven_dark_share /= covered;
 }
 
+void add_model_gap(const Image& image, ReferenceResult& result) {
+  const std::vector<uint8_t> scorable = scorable_mask(image);
+  result.scorable_pixels = static_cast<size_t>(std::ranges::count(scorable, 1));
+  if (!image.has("irradiance_half_a")) return;  // a truth of an earlier version
+  const auto gap = measure_model_gap(image, scorable);
+  if (!gap) return;
+  result.model_gap_rmse = gap->rmse;
+  result.model_gap_lit_rmse = gap->lit_rmse;
+}
+
 }  // namespace
 
 ReferenceResult describe_truth(const Frame& frame) {
   ReferenceResult result;
   summarise_errors(frame.image, result);
+  add_model_gap(frame.image, result);
   result.device = frame.device;
   result.wall_time_s = frame.wall_time_s;
   result.warnings = frame.warnings;

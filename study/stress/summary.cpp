@@ -35,6 +35,13 @@ bool is_concerned(const StressResults& results, const StressAxis& axis, const st
 
 }  // namespace
 
+bool StressResults::measured_anything() const {
+  return std::ranges::any_of(cells, [](const StressCell& cell) {
+    return cell.row != kTruthRow &&
+           (cell.rmse || cell.outcome == rightly_refused || breaks_rules(cell.outcome));
+  });
+}
+
 const StressCell* StressResults::find(const std::string& axis, const std::string& row, size_t value) const {
   const auto found = std::ranges::find_if(cells, [&](const StressCell& cell) {
     return cell.value == value && cell.row == row && cell.axis == axis;

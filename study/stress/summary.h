@@ -40,6 +40,8 @@ struct StressResults {
   const StressCell* find(const std::string& axis, const std::string& row, size_t value) const;
   /// Cells that break the rules.
   std::vector<const StressCell*> violations() const;
+  /// Whether any technique has an error at any value, or was refused where it must be.
+  bool measured_anything() const;
   bool passes() const { return violations().empty(); }
 };
 

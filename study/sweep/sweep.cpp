@@ -3,6 +3,7 @@
 
 #include "core/clock.h"
 #include "study/guard.h"
+#include "study/measured.h"
 #include "study/metadata.h"
 #include "study/score.h"
 #include "study/store/stored_truth.h"
@@ -109,6 +110,18 @@ void judge(Context& context, const RunRecord& record, const StoredPicture& pictu
   if (verdict) ++context.outcome.verdicts[verdict->outcome];
 }
 
+/// Notes why a run without failure says nothing.
+void check_measured(Context& context, const PlanStep& step, const std::optional<VisibilityError>& error,
+                    size_t scorable_pixels) {
+  const std::optional<std::string> reason =
+      error ? unmeasured(error->scored_pixels, scorable_pixels)
+            : std::optional<std::string>("the renderers see other surfaces");
+  if (!reason) return;
+  const std::string& label = context.plan.runs[*step.run].technique.label;
+  context.outcome.unmeasured.push_back(
+      fmt::format("{}, {}: not measured: {}", full_name(context.scenes[step.scene]), label, *reason));
+}
+
 void render_run(Context& context, const PlanStep& step, const std::string& reference) {
   const StudyScene& job = context.scenes[step.scene];
   const SweepPlan& plan = context.plan;
@@ -130,6 +143,7 @@ void render_run(Context& context, const PlanStep& step, const std::string& refer
       Score score = score_image(frame.image, *context.truth.image, job.scene.camera.eye_world, {metrics, {}},
                                 &context.truth.shared);
       take_score(score, record);
+      check_measured(context, step, score.error, score.scorable_pixels);
       picture = {picture_to_store(frame.image, score.mask), std::move(score.mask)};
     });
   }
@@ -153,7 +167,13 @@ bool take_stored(Context& context, const PlanStep& step) {
   if (context.plan.timing && !failure && stored->result.pass_times.empty()) return false;
   ++context.outcome.reused;
   const std::string& label = context.plan.runs[*step.run].technique.label;
-  if (failure) report(context, fmt::format("{}, {}", full_name(context.scenes[step.scene]), label), *failure);
+  if (failure) {
+    report(context, fmt::format("{}, {}", full_name(context.scenes[step.scene]), label), *failure);
+    return true;
+  }
+  const auto truth = context.store.find(stored->reference);
+  const auto record = truth ? parse_reference_record(*truth) : std::nullopt;
+  if (record) check_measured(context, step, stored->result.error, record->result.scorable_pixels);
   return true;
 }
 

@@ -20,8 +20,9 @@ struct SweepOutcome {
   size_t references_rendered = 0;
   size_t not_done = 0;  // runs whose scene has no truth
   std::map<Comparison, size_t>
-      verdicts;                   // of rendered runs against the scene's first, where that one is stored
-  std::vector<Failure> failures;  // "scene: ..." or "scene, run: ...", also of reused runs
+      verdicts;  // of rendered runs against the scene's first, where that one is stored
+  std::vector<std::string> unmeasured;  // why runs say nothing (study/measured.h), also of reused runs
+  std::vector<Failure> failures;        // "scene: ..." or "scene, run: ...", also of reused runs
 };
 
 /// Called when a run or a truth has failed.

@@ -81,8 +81,9 @@ class YourEngine : public CliTest {
 
 TEST_F(YourEngine, APairOfFloatsScoresAsTheTechniqueDoes) {
   const Json ours = validated();
-  const ProcessResult result = score({"--shadowed", "s.exr", "--unshadowed", "u.exr", "--reference",
-                                      "truth.exr", "--surfaces", "ours.exr", "--json"});
+  const ProcessResult result =
+      score({"--shadowed", "s.exr", "--unshadowed", "u.exr", "--reference", "truth.exr", "--surfaces",
+             "ours.exr", "--quantity", "visibility", "--json"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const Json json = Json::parse(result.out);
   EXPECT_TRUE(json["parity"]["passes"]);
@@ -101,7 +102,8 @@ TEST_F(YourEngine, EightBitsCostNoMoreThanTheySay) {
   for (const auto& [suffix, transfer] : {std::pair{"_gamma.png", "gamma2.2"}, {"_srgb.png", "srgb"}}) {
     const ProcessResult result =
         score({"--shadowed", std::string("s") + suffix, "--unshadowed", std::string("u") + suffix,
-               "--transfer", transfer, "--reference", "truth.exr", "--surfaces", "ours.exr", "--json"});
+               "--transfer", transfer, "--reference", "truth.exr", "--surfaces", "ours.exr", "--quantity",
+               "visibility", "--min-scored", "0.8", "--json"});
     ASSERT_EQ(result.exit_code, 0) << result.err;
     const Json json = Json::parse(result.out);
     const double rounding = json["mean_square_rounding"], pixels = json["error"]["scored_pixels"];

@@ -28,9 +28,11 @@ Image floor_image() {
 
 Image reference_image() {
   Image image = floor_image();
-  for (const char* channel : {"visibility", "half_a", "half_b", "irradiance_ratio"})
+  for (const char* channel :
+       {"visibility", "half_a", "half_b", "irradiance_ratio", "irradiance_half_a", "irradiance_half_b"})
     image.add_plane(channel, 0.5f);
   image.add_plane("visibility_se");
+  image.add_plane("irradiance_ratio_se");
   image.add_plane("sample_count", 64.0f);
   image.add_plane("shading_normal.x");
   image.add_plane("shading_normal.y", 1.0f);
@@ -42,7 +44,8 @@ Image reference_image() {
 
 Image shadowed_reference_image() {
   Image image = reference_image();
-  for (const char* channel : {"visibility", "half_a", "half_b"}) {
+  for (const char* channel :
+       {"visibility", "half_a", "half_b", "irradiance_ratio", "irradiance_half_a", "irradiance_half_b"}) {
     auto plane = image.plane(channel);
     for (size_t i = 0; i < plane.size(); ++i) plane[i] = i % kFakeWidth_px < 25 ? 0.0f : 1.0f;
   }

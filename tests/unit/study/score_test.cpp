@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Without these tests an image of another engine could be scored by the wrong channel.
+// Without these tests a score could be of other pixels than it says, or of pictures that show something else.
 
 #include "study/score.h"
 
@@ -16,26 +16,6 @@ namespace {
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-Image image_with(const std::vector<std::string>& channels) {
-  Image image(2, 1);
-  for (const std::string& channel : channels) image.add_plane(channel, 0.5f);
-  return image;
-}
-
-TEST(WithVisibility, TakesVisibilityGreyOrASingleChannel) {
-  for (const auto& channels : std::vector<std::vector<std::string>>{
-           {"visibility", "depth"}, {"Y", "A"}, {"shadow"}, {"R", "G", "B"}, {"A", "B", "G", "R"}}) {
-    EXPECT_TRUE(with_visibility(image_with(channels), "test.exr").has("visibility")) << channels.front();
-  }
-}
-
-TEST(WithVisibility, RejectsColourAndNamesTheChannels) {
-  Image image = image_with({"R", "G", "B"});
-  image.plane("G")[1] = 0.25f;
-  EXPECT_THAT([&] { with_visibility(image, "test.exr"); },
-              ThrowsMessage<Error>(HasSubstr("test.exr: the image has no visibility channel, only B, G, R")));
-}
-
 TEST(ScoreImage, ScoresAnImageWithoutSurfacesAndSaysThatParityWasNotChecked) {
   Image test(kFakeWidth_px, kFakeHeight_px);
   test.add_plane("visibility", 0.75f);
@@ -44,6 +24,18 @@ TEST(ScoreImage, ScoresAnImageWithoutSurfacesAndSaysThatParityWasNotChecked) {
   ASSERT_TRUE(score.error);
   EXPECT_EQ(score.error->scored_pixels, 39u * kFakeHeight_px);  // the background column is not scored
   EXPECT_NEAR(*score.error->bias, 0.25, 1e-6);
+}
+
+TEST(ScoreImage, ScoresOnlyWhatIsKnownOfThePictureAndCountsWhatTheTruthCanScore) {
+  Image test = technique_image(0.0f);
+  std::vector<uint8_t> known(test.pixel_count(), 0);
+  for (size_t i = 0; i < known.size(); ++i) known[i] = i % kFakeWidth_px < 20 ? 1 : 0;
+  ScoreSettings settings;
+  settings.known = known;
+  const Score score = score_image(test, reference_image(), {0, 10, 0}, settings);
+  ASSERT_TRUE(score.error);
+  EXPECT_EQ(score.error->scored_pixels, 19u * kFakeHeight_px);
+  EXPECT_EQ(score.scorable_pixels, 39u * kFakeHeight_px);
 }
 
 TEST(ScoreImage, GivesNoNumberWhenParityFails) {

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "study/shadow_quantity.h"
+
+#include "core/error.h"
+#include "core/names.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace umbrameter {
+namespace {
+
+constexpr std::array<const char*, 2> kNames = {"visibility", "irradiance"};
+constexpr std::array<std::pair<const char*, const char*>, 4> kIrradiance = {{{"irradiance_ratio", "visibility"},
+                                                                            {"irradiance_ratio_se", "visibility_se"},
+                                                                            {"irradiance_half_a", "half_a"},
+                                                                            {"irradiance_half_b", "half_b"}}};
+
+}  // namespace
+
+ShadowQuantity parse_shadow_quantity(std::string_view text) {
+  const auto found = std::ranges::find(kNames, text);
+  if (found != kNames.end()) return static_cast<ShadowQuantity>(found - kNames.begin());
+  const std::vector<std::string> known(kNames.begin(), kNames.end());
+  fail_input(fmt::format("unknown quantity '{}'", text), {}, suggest_name(std::string(text), known));
+}
+
+std::string_view to_text(ShadowQuantity quantity) {
+  return kNames[static_cast<size_t>(quantity)];
+}
+
+Image with_quantity(Image reference, ShadowQuantity quantity) {
+  if (quantity == ShadowQuantity::visibility) return reference;
+  for (const auto& [from, to] : kIrradiance) {
+    if (!reference.has(from))
+      fail_input(fmt::format("the reference has no channel '{}'", from), {},
+                 "make it anew with 'umbrameter reference'");
+    const auto plane = reference.plane(from);
+    reference.planes[to].assign(plane.begin(), plane.end());
+  }
+  return reference;
+}
+
+}  // namespace umbrameter
