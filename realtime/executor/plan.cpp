@@ -62,8 +62,8 @@ class Planner {
  private:
   void add_passes(const std::vector<PassDeclaration>& passes) {
     for (const PassDeclaration& pass : passes) {
-      if (!holds(pass.condition, variables_, pass.where)) continue;
-      if (pass.kind == "loop") {
+      if (!holds(pass.condition, variables_)) continue;
+      if (pass.kind == PassKind::loop) {
         add_loop(pass);
       } else {
         add_step(pass);
@@ -102,7 +102,7 @@ class Planner {
       step.uniforms.push_back(view_range(binding++, fitted));
       if (name != pass.view) continue;
       step.mirrors = fitted.mirrors;
-      if (pass.kind == "scene") add_casters(step, fitted, pass.state.depth_clamp);
+      if (pass.kind == PassKind::scene) add_casters(step, fitted, pass.state.depth_clamp);
     }
     plan_.steps.push_back(std::move(step));
   }
@@ -141,7 +141,7 @@ class Planner {
 
   int write_level(const PassDeclaration& pass) const {
     constexpr int64_t kMaxLevel = 32;
-    if (pass.write_level.text.empty()) return 0;
+    if (pass.write_level.is_empty()) return 0;
     return static_cast<int>(whole_number(pass.write_level, variables_, 0, kMaxLevel,
                                          fmt::format("write_level of pass '{}'", pass.id)));
   }

@@ -73,7 +73,8 @@ const Texture* read_texture_of(PreparedPass& prepared, const PassDeclaration& pa
 
 std::filesystem::path vertex_file(const PassDeclaration& pass, const RunInputs& inputs) {
   const std::filesystem::path library = inputs.shaders_folder / "lib";
-  if (pass.vertex.empty()) return library / (pass.kind == "scene" ? "light_map.vert" : "fullscreen.vert");
+  if (pass.vertex.empty())
+    return library / (pass.kind == PassKind::scene ? "light_map.vert" : "fullscreen.vert");
   return find_shader(pass.vertex, inputs.technique.folder, inputs.shaders_folder, pass.where);
 }
 
@@ -107,7 +108,7 @@ PreparedPass prepare_pass(const PassDeclaration& pass, int write_level, const Ru
   PreparedPass prepared;
   prepared.declaration = &pass;
   prepared.write_level = write_level;
-  if (pass.kind == "mipmap") {
+  if (pass.kind == PassKind::mipmap) {
     for (const std::string& name : pass.writes)
       prepared.mipmaps.push_back(written_target(pass, name, targets).texture);
     return prepared;
@@ -122,9 +123,9 @@ PreparedPass prepare_pass(const PassDeclaration& pass, int write_level, const Ru
   }
   const std::filesystem::path vertex = vertex_file(pass, inputs);
   prepared.program = compile(pass, vertex, inputs, targets, loop_variables, false, programs);
-  if (pass.kind == "scene" && inputs.scene_buffers.cutouts() != nullptr)
+  if (pass.kind == PassKind::scene && inputs.scene_buffers.cutouts() != nullptr)
     prepared.cutout_program = compile(pass, vertex, inputs, targets, loop_variables, true, programs);
-  prepared.may_cull_casters = pass.kind == "scene" && !prepared.program->names_primitive_id() &&
+  prepared.may_cull_casters = pass.kind == PassKind::scene && !prepared.program->names_primitive_id() &&
                               vertex.parent_path() == inputs.shaders_folder / "lib";
   return prepared;
 }

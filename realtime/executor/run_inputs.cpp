@@ -15,15 +15,15 @@ ExpressionVariables run_variables(const RunInputs& inputs) {
   return variables;
 }
 
-bool holds(const std::string& condition, const ExpressionVariables& variables, const FileLocation& where) {
-  return condition.empty() || evaluate_expression(condition, variables, where) != 0.0;
+bool holds(const Expression& condition, const ExpressionVariables& variables) {
+  return condition.is_empty() || condition.evaluate(variables) != 0.0;
 }
 
-int64_t whole_number(const ExpressionText& expression, const ExpressionVariables& variables, int64_t min,
+int64_t whole_number(const Expression& expression, const ExpressionVariables& variables, int64_t min,
                      int64_t max, std::string_view what) {
-  const double value = evaluate_expression(expression.text, variables, expression.where);
+  const double value = expression.evaluate(variables);
   const auto fail = [&](const std::string& hint) {
-    fail_input(fmt::format("{} = '{}' is {}", what, expression.text, value), expression.where, hint);
+    fail_input(fmt::format("{} = '{}' is {}", what, expression.text(), value), expression.where(), hint);
   };
   if (std::floor(value) != value) fail("it must be a whole number: write ceil() or floor()");
   if (value < static_cast<double>(min) || value > static_cast<double>(max)) {

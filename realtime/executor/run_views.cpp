@@ -43,18 +43,17 @@ const FittedView& RunViews::get(const std::string& name, const ExpressionVariabl
   const auto& views = inputs_.technique.views;
   const auto declaration = std::ranges::find(views, name, &ViewDeclaration::name);
   UMBRAMETER_ASSERT(declaration != views.end(), "view {}", name);
-  const ExpressionText size{declaration->size, declaration->where};
-  const auto texels =
-      static_cast<int>(whole_number(size, variables, 1, kMaxTexels, fmt::format("size of view '{}'", name)));
+  const auto texels = static_cast<int>(
+      whole_number(declaration->size, variables, 1, kMaxTexels, fmt::format("size of view '{}'", name)));
   const int64_t sample =
-      declaration->sample.text.empty()
+      declaration->from == ViewOrigin::light_center
           ? kCenter
           : whole_number(declaration->sample, variables, 0, std::numeric_limits<uint32_t>::max(),
                          fmt::format("light sample of view '{}'", name));
   const auto key = std::tuple(name, sample, texels);
   const auto found = fitted_.find(key);
   if (found != fitted_.end()) return found->second;
-  const bool snaps = holds(declaration->snap, variables, declaration->where) && !declaration->snap.empty();
+  const bool snaps = !declaration->snap.is_empty() && holds(declaration->snap, variables);
   return fitted_.emplace(key, fit(*declaration, sample, texels, snaps)).first->second;
 }
 

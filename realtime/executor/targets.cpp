@@ -16,15 +16,15 @@ glm::vec4 border_color(const std::vector<double>& border) {
 }
 
 /// A count that is 1 unless said.
-int count(const ResourceDeclaration& resource, const ExpressionText& expression,
+int count(const ResourceDeclaration& resource, const Expression& expression,
           const ExpressionVariables& variables, std::string_view which) {
   constexpr int64_t kMost = 64;
-  if (expression.text.empty()) return 1;
+  if (expression.is_empty()) return 1;
   const auto what = fmt::format("{} of resource '{}'", which, resource.name);
   return static_cast<int>(whole_number(expression, variables, 1, kMost, what));
 }
 
-int side(const ResourceDeclaration& resource, const ExpressionText& expression,
+int side(const ResourceDeclaration& resource, const Expression& expression,
          const ExpressionVariables& variables, std::string_view which) {
   const auto what = fmt::format("{} of resource '{}'", which, resource.name);
   // The GL's own limit is checked where the texture is made.
@@ -37,7 +37,7 @@ Targets::Targets(const RunInputs& inputs, const ExpressionVariables& variables)
     : visibility_(find_texture_format("r32f"), inputs.gbuffer.width(), inputs.gbuffer.height(),
                   std::string(kVisibility)) {
   const auto add_screen = [this](const std::string& name, const Texture& texture) {
-    targets_[name] = {&texture, Sampler({.linear = false, .wrap = "clamp"}), nullptr};
+    targets_[name] = {&texture, Sampler({.wrap = TextureWrap::clamp}), nullptr};
   };
   add_screen(std::string(kVisibility), visibility_);
   add_screen("gbuffer.position", inputs.gbuffer.position);
@@ -45,7 +45,7 @@ Targets::Targets(const RunInputs& inputs, const ExpressionVariables& variables)
   add_screen("gbuffer.shading_normal", inputs.gbuffer.shading_normal);
   add_screen("gbuffer.primitive_id", inputs.gbuffer.primitive_id);
   for (const ResourceDeclaration& resource : inputs.technique.resources) {
-    if (holds(resource.condition, variables, resource.where)) add_resource(resource, variables);
+    if (holds(resource.condition, variables)) add_resource(resource, variables);
   }
 }
 
@@ -55,7 +55,7 @@ void Targets::add_resource(const ResourceDeclaration& resource, const Expression
   const int height = side(resource, resource.height, variables, "height");
   const int levels = count(resource, resource.levels, variables, "levels");
   const int samples = count(resource, resource.samples, variables, "samples");
-  const FileLocation& where = resource.width.where;
+  const FileLocation& where = resource.width.where();
   const auto make = [&](auto& textures, const TextureShape& shape) {
     Texture texture(format, width, height, resource.name, where, shape);
     return &textures.insert_or_assign(resource.name, std::move(texture)).first->second;
@@ -65,8 +65,7 @@ void Targets::add_resource(const ResourceDeclaration& resource, const Expression
   const bool is_resolved = samples == 1 || !format.is_depth;  // several depths have no mean
   target.texture = is_resolved ? make(owned_, {.levels = levels}) : target.multisampled;
   target.sampler = Sampler(
-      {.linear = resource.filter != "nearest",
-       .mipmap = resource.filter == "mipmap",
+      {.filter = resource.filter,
        .anisotropy = static_cast<double>(count(resource, resource.anisotropy, variables, "anisotropy")),
        .wrap = resource.wrap,
        .border = border_color(resource.border),

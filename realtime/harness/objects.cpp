@@ -31,11 +31,32 @@ void destroy_program(GLuint id) {
 
 namespace {
 
-GLenum wrap_mode(std::string_view wrap) {
-  if (wrap == "border") return GL_CLAMP_TO_BORDER;
-  if (wrap == "clamp") return GL_CLAMP_TO_EDGE;
-  UMBRAMETER_ASSERT(wrap == "repeat", "wrap is '{}'", wrap);
-  return GL_REPEAT;
+GLint wrap_mode(TextureWrap wrap) {
+  switch (wrap) {
+    case TextureWrap::border:
+      return GL_CLAMP_TO_BORDER;
+    case TextureWrap::clamp:
+      return GL_CLAMP_TO_EDGE;
+    case TextureWrap::repeat:
+      return GL_REPEAT;
+  }
+  return GL_NONE;
+}
+
+struct Filters {
+  GLint minified, magnified;
+};
+
+Filters filters(TextureFilter filter) {
+  switch (filter) {
+    case TextureFilter::nearest:
+      return {GL_NEAREST, GL_NEAREST};
+    case TextureFilter::linear:
+      return {GL_LINEAR, GL_LINEAR};
+    case TextureFilter::mipmap:
+      return {GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR};
+  }
+  return {};
 }
 
 }  // namespace
@@ -68,12 +89,9 @@ Sampler::Sampler(const SamplerSettings& settings) {
   GLuint id = 0;
   glCreateSamplers(1, &id);
   handle_ = GlHandle<destroy_sampler>(id);
-  const auto set = [id](GLenum name, GLenum value) {
-    glSamplerParameteri(id, name, static_cast<GLint>(value));
-  };
-  const GLenum flat = settings.linear ? GL_LINEAR : GL_NEAREST;
-  set(GL_TEXTURE_MIN_FILTER, settings.mipmap ? GL_LINEAR_MIPMAP_LINEAR : flat);
-  set(GL_TEXTURE_MAG_FILTER, settings.linear ? GL_LINEAR : GL_NEAREST);
+  const auto set = [id](GLenum name, GLint value) { glSamplerParameteri(id, name, value); };
+  set(GL_TEXTURE_MIN_FILTER, filters(settings.filter).minified);
+  set(GL_TEXTURE_MAG_FILTER, filters(settings.filter).magnified);
   set(GL_TEXTURE_WRAP_S, wrap_mode(settings.wrap));
   set(GL_TEXTURE_WRAP_T, wrap_mode(settings.wrap));
   glSamplerParameterfv(id, GL_TEXTURE_BORDER_COLOR, &settings.border.x);

@@ -4,6 +4,7 @@
 // dies.
 
 #include "core/error.h"
+#include "realtime/graph/texture.h"
 
 #include <epoxy/gl.h>
 #include <glm/vec4.hpp>
@@ -106,10 +107,9 @@ int full_chain_levels(int width, int height);
 void clear_texture(const Texture& texture, std::span<const double> value);
 
 struct SamplerSettings {
-  bool linear = false;
-  bool mipmap = false;               // linear between levels too
-  double anisotropy = 1.0;           // samples along the longer axis, at most
-  std::string_view wrap = "border";  // border | clamp | repeat
+  TextureFilter filter = TextureFilter::nearest;
+  double anisotropy = 1.0;  // samples along the longer axis, at most
+  TextureWrap wrap = TextureWrap::border;
   glm::vec4 border{0.0f};
   bool compare = false;  // GL_GEQUAL: receiver depth >= stored depth (reversed) gives 1
 };

@@ -2,7 +2,6 @@
 #include "core/names.h"
 #include "realtime/harness/objects.h"
 #include "realtime/manifest/check_technique.h"
-#include "realtime/manifest/expression.h"
 #include "realtime/manifest/names.h"
 
 #include <algorithm>
@@ -28,7 +27,7 @@ class Identifiers {
 
 void claim_loops(Identifiers& identifiers, const std::vector<PassDeclaration>& passes) {
   for (const PassDeclaration& pass : passes) {
-    if (pass.kind != "loop") continue;
+    if (pass.kind != PassKind::loop) continue;
     const std::string what = fmt::format("loop '{}'", pass.id);
     identifiers.claim(pass.loop_variable, what, pass.where);
     identifiers.claim(pass.loop_variable + "_count", what, pass.where);
@@ -89,7 +88,7 @@ class PassChecker {
   void check(const std::vector<PassDeclaration>& passes, const NameSet& loop_variables) {
     for (const PassDeclaration& pass : passes) {
       if (!ids_.insert(pass.id).second) fail(pass, "stands here a second time", "ids are unique");
-      if (pass.kind == "loop") {
+      if (pass.kind == PassKind::loop) {
         NameSet inner = loop_variables;
         inner.insert({pass.loop_variable, pass.loop_variable + "_count"});
         check(pass.body, inner);
@@ -120,9 +119,9 @@ class PassChecker {
   /// A sample view that depends on a loop variable can only be used inside that loop.
   void check_loop_names(const PassDeclaration& pass, const ViewDeclaration& view,
                         const NameSet& loop_variables) {
-    if (view.sample.text.empty()) return;
+    if (view.from != ViewOrigin::light_sample) return;
     const NameSet all = all_loop_variables(technique_.passes);
-    for (const std::string& name : expression_names(view.sample.text, view.where)) {
+    for (const std::string& name : view.sample.names()) {
       if (!all.contains(name) || loop_variables.contains(name)) continue;
       fail(pass, fmt::format("uses the view '{}' outside the loop over '{}'", view.name, name));
     }
@@ -131,7 +130,7 @@ class PassChecker {
   static NameSet all_loop_variables(const std::vector<PassDeclaration>& passes) {
     NameSet names;
     for (const PassDeclaration& pass : passes) {
-      if (pass.kind != "loop") continue;
+      if (pass.kind != PassKind::loop) continue;
       names.insert({pass.loop_variable, pass.loop_variable + "_count"});
       names.merge(all_loop_variables(pass.body));
     }
@@ -146,7 +145,7 @@ class PassChecker {
              suggest_name(name, known_reads_));
       }
       if (!reads.insert(name).second) fail(pass, fmt::format("reads '{}' twice", name));
-      if (std::ranges::find(pass.writes, name) != pass.writes.end() && pass.write_level.text.empty())
+      if (std::ranges::find(pass.writes, name) != pass.writes.end() && pass.write_level.is_empty())
         fail(pass, fmt::format("reads and writes '{}'", name), "only with 'write_level'");
       const bool is_builtin = std::ranges::find(builtin_reads(), name) != builtin_reads().end();
       if (!is_builtin && !written_.contains(name)) {
@@ -158,7 +157,7 @@ class PassChecker {
 
   /// What runs once may depend on parameters only.
   void check_once(const PassDeclaration& pass) {
-    if (!pass.view.empty() || !pass.views.empty() || pass.kind == "scene")
+    if (!pass.view.empty() || !pass.views.empty() || pass.kind == PassKind::scene)
       fail(pass, "runs once but depends on the scene", "leave out 'once'");
     for (const std::string& name : pass.reads) {
       if (!written_once_.contains(name))
@@ -185,7 +184,7 @@ class PassChecker {
         fail(pass, fmt::format("writes '{}', which is no resource", name), suggest_name(name, known_writes_));
       }
       if (!writes.insert(name).second) fail(pass, fmt::format("writes '{}' twice", name));
-      if (pass.kind == "mipmap") {
+      if (pass.kind == PassKind::mipmap) {
         check_mipmap(pass, name);
         continue;
       }
@@ -204,9 +203,9 @@ class PassChecker {
   /// Blending, and drawing that leaves texels out, need something in the target.
   void check_contents(const PassDeclaration& pass, const std::string& name) const {
     if (pass.state.clear || written_.contains(name)) return;
-    if (pass.state.blend != "none")
+    if (pass.state.blend != BlendMode::none)
       fail(pass, fmt::format("blends into '{}' before anything is in it", name), "add 'clear'");
-    if (pass.kind == "scene")
+    if (pass.kind == PassKind::scene)
       fail(pass, fmt::format("draws into '{}' before anything is in it", name), "add 'clear'");
   }
 
@@ -218,7 +217,7 @@ class PassChecker {
       };
       if (resource.compare && !format.is_depth)
         fail_resource("cannot be compared", "compare = true needs depth32f");
-      if (format.is_integer && resource.filter != "nearest")
+      if (format.is_integer && resource.filter != TextureFilter::nearest)
         fail_resource("holds integers, which cannot be filtered");
       if (!written_.contains(resource.name)) fail_resource("is never written");
       if (!read_.contains(resource.name) && !depth_for_colors_.contains(resource.name))

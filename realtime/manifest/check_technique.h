@@ -21,7 +21,7 @@ void check_frames(const Technique& technique);
 void check_parameters(const Manifest& manifest, const std::set<std::string, std::less<>>& shader_tokens);
 
 /// The parameter values that break no constraint, or Error{input} naming the one that fails and what it sees.
-void check_constraint(const Technique& technique, const ExpressionText& constraint,
-                      const ParameterValues& values, std::string_view of_what);
+void check_constraint(const Technique& technique, const Expression& constraint, const ParameterValues& values,
+                      std::string_view of_what);
 
 }  // namespace umbrameter

@@ -15,14 +15,14 @@ using Names = std::vector<std::string>;
 /// A name that becomes an identifier in GLSL.
 std::string read_name(TomlReader& reader, const std::string& key);
 
-/// Error{input} unless `expression` parses and uses names of `scope` only; notes the names as used.
-void check_expression(Manifest& manifest, const ExpressionText& expression, const Names& scope);
+/// Error{input} unless `expression` uses names of `scope` only; notes the names as used.
+void check_expression(Manifest& manifest, const Expression& expression, const Names& scope);
 
 /// An expression, or a plain integer; empty when absent.
-ExpressionText read_expression(Manifest& manifest, TomlReader& reader, const std::string& key,
-                               const Names& scope);
-ExpressionText require_expression(Manifest& manifest, TomlReader& reader, const std::string& key,
-                                  const Names& scope);
+Expression read_expression(Manifest& manifest, TomlReader& reader, const std::string& key,
+                           const Names& scope);
+Expression require_expression(Manifest& manifest, TomlReader& reader, const std::string& key,
+                              const Names& scope);
 
 /// One to four finite numbers.
 std::vector<double> read_numbers(TomlReader& reader, const std::string& key);

@@ -3,7 +3,7 @@
 // What manifests may name besides their own things, and how names reach GLSL.
 
 #include "core/parameters.h"
-#include "realtime/manifest/expression.h"
+#include "realtime/graph/expression.h"
 
 #include <filesystem>
 #include <span>

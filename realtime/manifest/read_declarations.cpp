@@ -8,21 +8,32 @@
 namespace umbrameter {
 namespace {
 
+// In the order of their enumerations.
 const std::array<std::string, 3> kFilters = {"nearest", "linear", "mipmap"};
 const std::array<std::string, 3> kWraps = {"border", "clamp", "repeat"};
 const std::array<std::string, 4> kPassKinds = {"scene", "fullscreen", "mipmap", "loop"};
 const std::array<std::string, 3> kCulls = {"none", "back", "front"};
 const std::array<std::string, 4> kBlends = {"none", "add", "min", "max"};
 
-/// The expression between the brackets of "light.sample(...)".
-ExpressionText sample_expression(const std::string& from, const FileLocation& where) {
-  constexpr std::string_view kPrefix = "light.sample(";
-  if (from == "light.center") return {};
-  if (!from.starts_with(kPrefix) || !from.ends_with(')')) {
-    fail_input(fmt::format("a view cannot be from '{}'", from), where,
-               "light.center or light.sample(<expression>)");
+/// The enumerator that `key` names, the first one when it is absent.
+template <class Enum, size_t n>
+Enum read_enum(TomlReader& reader, const std::string& key, const std::array<std::string, n>& names) {
+  return static_cast<Enum>(reader.choice(key, names, 0));
+}
+
+/// "light.center" or "light.sample(<expression>)".
+void read_origin(Manifest& manifest, TomlReader& reader, ViewDeclaration& view, const Names& scope) {
+  constexpr std::string_view kSample = "light.sample(";
+  const std::string from = reader.text("from", "light.center");
+  if (from == "light.center") return;
+  if (!from.starts_with(kSample) || !from.ends_with(')')) {
+    reader.fail("from", fmt::format("a view cannot be from '{}'", from),
+                "light.center or light.sample(<expression>)");
   }
-  return {from.substr(kPrefix.size(), from.size() - kPrefix.size() - 1), where};
+  view.from = ViewOrigin::light_sample;
+  view.sample =
+      Expression(from.substr(kSample.size(), from.size() - kSample.size() - 1), reader.where("from"));
+  check_expression(manifest, view.sample, scope);
 }
 
 /// A fit is one of light_fits() or a choice parameter among them.
@@ -45,8 +56,8 @@ void check_fit(Manifest& manifest, const TomlReader& reader, const std::string& 
 
 PassState read_state(TomlReader& reader) {
   PassState state;
-  state.cull = kCulls[reader.choice("cull", kCulls, 0)];
-  state.blend = kBlends[reader.choice("blend", kBlends, 0)];
+  state.cull = read_enum<CullMode>(reader, "cull", kCulls);
+  state.blend = read_enum<BlendMode>(reader, "blend", kBlends);
   if (reader.has("clear")) state.clear = read_numbers(reader, "clear");
   state.depth_clamp = reader.boolean("depth_clamp", true);
   constexpr int64_t kMaxClipDistances = 8;  // the least a GL offers
@@ -72,7 +83,7 @@ void read_loop(Manifest& manifest, TomlReader& reader, PassDeclaration& pass, Na
 }
 
 void read_drawing(Manifest& manifest, TomlReader& reader, PassDeclaration& pass, const Names& scope) {
-  if (pass.kind == "scene") {
+  if (pass.kind == PassKind::scene) {
     pass.view = reader.text("view", "");
     pass.vertex = reader.text("vertex", "");
     pass.fragment = reader.text("fragment", "");
@@ -106,11 +117,11 @@ ResourceDeclaration read_resource(Manifest& manifest, const TomlNode& table, con
   resource.levels = read_expression(manifest, reader, "levels", scope);
   resource.samples = read_expression(manifest, reader, "samples", scope);
   resource.anisotropy = read_expression(manifest, reader, "anisotropy", scope);
-  resource.filter = kFilters[reader.choice("filter", kFilters, 0)];
-  resource.wrap = kWraps[reader.choice("wrap", kWraps, 0)];
+  resource.filter = read_enum<TextureFilter>(reader, "filter", kFilters);
+  resource.wrap = read_enum<TextureWrap>(reader, "wrap", kWraps);
   if (reader.has("border")) resource.border = read_numbers(reader, "border");
   resource.compare = reader.boolean("compare", false);
-  resource.condition = read_expression(manifest, reader, "condition", scope).text;
+  resource.condition = read_expression(manifest, reader, "condition", scope);
   reader.finish();
   return resource;
 }
@@ -120,13 +131,11 @@ ViewDeclaration read_view(Manifest& manifest, const TomlNode& table, const Names
   ViewDeclaration view;
   view.where = table.where;
   view.name = read_name(reader, "name");
-  view.from = reader.text("from", view.from);
-  view.sample = sample_expression(view.from, reader.where("from"));
-  if (view.from != "light.center") check_expression(manifest, view.sample, scope);
+  read_origin(manifest, reader, view, scope);
   view.fit = reader.text("fit", view.fit);
   check_fit(manifest, reader, view.fit);
-  view.snap = read_expression(manifest, reader, "snap", scope).text;
-  view.size = require_expression(manifest, reader, "size", scope).text;
+  view.snap = read_expression(manifest, reader, "snap", scope);
+  view.size = require_expression(manifest, reader, "size", scope);
   reader.finish();
   return view;
 }
@@ -136,15 +145,20 @@ PassDeclaration read_pass(Manifest& manifest, const TomlNode& table, const Names
   PassDeclaration pass;
   pass.where = table.where;
   pass.id = reader.text("id");
-  pass.kind = kPassKinds[reader.choice("kind", kPassKinds)];
-  pass.condition = read_expression(manifest, reader, "condition", scope).text;
-  if (pass.kind == "loop") {
-    read_loop(manifest, reader, pass, scope, depth);
-  } else if (pass.kind == "mipmap") {
-    pass.writes = reader.texts("writes");
-    pass.timer = reader.text("timer", "");
-  } else {
-    read_drawing(manifest, reader, pass, scope);
+  pass.kind = static_cast<PassKind>(reader.choice("kind", kPassKinds));
+  pass.condition = read_expression(manifest, reader, "condition", scope);
+  switch (pass.kind) {
+    case PassKind::loop:
+      read_loop(manifest, reader, pass, scope, depth);
+      break;
+    case PassKind::mipmap:
+      pass.writes = reader.texts("writes");
+      pass.timer = reader.text("timer", "");
+      break;
+    case PassKind::scene:
+    case PassKind::fullscreen:
+      read_drawing(manifest, reader, pass, scope);
+      break;
   }
   reader.finish();
   return pass;
@@ -152,7 +166,7 @@ PassDeclaration read_pass(Manifest& manifest, const TomlNode& table, const Names
 
 void collect_loop_variables(const std::vector<PassDeclaration>& passes, Names& names) {
   for (const PassDeclaration& pass : passes) {
-    if (pass.kind != "loop") continue;
+    if (pass.kind != PassKind::loop) continue;
     names.push_back(pass.loop_variable);
     names.push_back(pass.loop_variable + "_count");
     collect_loop_variables(pass.body, names);

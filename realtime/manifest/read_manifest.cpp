@@ -119,9 +119,8 @@ void read_header(Technique& technique, TomlReader& reader) {
 
 void read_constraints(Manifest& manifest, TomlReader& reader, const Names& scope) {
   for (const std::string& text : reader.texts("constraints")) {
-    manifest.constraints.push_back({text, reader.where("constraints")});
-    check_expression(manifest, manifest.constraints.back(), scope);
-    manifest.technique.constraints.push_back(text);
+    manifest.technique.constraints.emplace_back(text, reader.where("constraints"));
+    check_expression(manifest, manifest.technique.constraints.back(), scope);
   }
 }
 

@@ -3,7 +3,7 @@
 // size, an earlier run. And what must not be paid for: resources and passes that the parameters make useless. The
 // complaints behind this list are in the issue trackers of most engines.
 
-#include "realtime/manifest/expression.h"
+#include "realtime/graph/expression.h"
 #include "realtime/manifest/names.h"
 #include "realtime/manifest/technique.h"
 #include "realtime/realtime.h"
@@ -170,17 +170,17 @@ ExpressionVariables variables_for(const Technique& technique, const ParameterVal
   return variables;
 }
 
-double value_or(const ExpressionText& expression, const ExpressionVariables& variables, double otherwise) {
-  return expression.text.empty() ? otherwise : evaluate_expression(expression.text, variables);
+double value_or(const Expression& expression, const ExpressionVariables& variables, double otherwise) {
+  return expression.is_empty() ? otherwise : expression.evaluate(variables);
 }
 
-bool is_on(const std::string& condition, const ExpressionVariables& variables) {
-  return condition.empty() || evaluate_expression(condition, variables) != 0.0;
+bool is_on(const Expression& condition, const ExpressionVariables& variables) {
+  return value_or(condition, variables, 1.0) != 0.0;
 }
 
 uint64_t bytes_of(const ResourceDeclaration& resource, const ExpressionVariables& variables) {
-  auto width = static_cast<uint64_t>(evaluate_expression(resource.width.text, variables));
-  auto height = static_cast<uint64_t>(evaluate_expression(resource.height.text, variables));
+  auto width = static_cast<uint64_t>(resource.width.evaluate(variables));
+  auto height = static_cast<uint64_t>(resource.height.evaluate(variables));
   const auto levels = static_cast<int>(value_or(resource.levels, variables, 1));
   const auto samples = static_cast<uint64_t>(value_or(resource.samples, variables, 1));
   const uint64_t texel = kTexelBytes.at(resource.format);
@@ -200,11 +200,11 @@ void collect_running(const std::vector<PassDeclaration>& passes, ExpressionVaria
                      std::vector<const PassDeclaration*>& running) {
   for (const PassDeclaration& pass : passes) {
     if (!is_on(pass.condition, variables)) continue;
-    if (pass.kind != "loop") {
+    if (pass.kind != PassKind::loop) {
       if (std::ranges::find(running, &pass) == running.end()) running.push_back(&pass);
       continue;
     }
-    const auto count = static_cast<int>(evaluate_expression(pass.loop_count.text, variables));
+    const auto count = static_cast<int>(pass.loop_count.evaluate(variables));
     variables[pass.loop_variable + "_count"] = count;
     for (int i = 0; i < count; ++i) {
       variables[pass.loop_variable] = i;

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// How textures are made and read, as manifests say it. No GL.
+
+namespace umbrameter {
+
+enum class TextureFilter { nearest, linear, mipmap };  // mipmap: linear between levels too
+enum class TextureWrap { border, clamp, repeat };
+
+}  // namespace umbrameter
