@@ -109,9 +109,21 @@ void draw_pass(const Plan& plan, const Step& step, const SceneBuffers& scene_buf
   for (const Resolve& targets : pass.resolves) resolve(targets);
 }
 
+/// What a pass does stands together in a graphics debugger's list.
+class DebugGroup {
+ public:
+  explicit DebugGroup(const std::string& name) {
+    glPushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 0, static_cast<GLsizei>(name.size()), name.data());
+  }
+  ~DebugGroup() { glPopDebugGroup(); }
+  DebugGroup(const DebugGroup&) = delete;
+  DebugGroup& operator=(const DebugGroup&) = delete;
+};
+
 void draw_step(const Plan& plan, const Step& step, const SceneBuffers& scene_buffers,
                const VertexArray& empty_vertex_array) {
   const PreparedPass& pass = plan.passes[step.pass];
+  const DebugGroup group(pass.declaration->id);
   if (pass.declaration->kind != PassKind::mipmap) draw_pass(plan, step, scene_buffers, empty_vertex_array);
   for (const Texture* texture : pass.mipmaps) glGenerateTextureMipmap(texture->id());
 }

@@ -2,6 +2,7 @@
 #pragma once
 // What one run of a technique starts from, and the numbers its expressions see.
 
+#include "core/image.h"
 #include "realtime/graph/expression.h"
 #include "realtime/harness/gbuffer.h"
 #include "realtime/harness/scene_buffers.h"
@@ -24,12 +25,14 @@ struct RunInputs {
   const GBuffer& gbuffer;  // also says the screen's size
   std::span<const ReceiverTile> receivers;
   std::span<const CasterCluster> casters;  // none: every triangle is drawn into every map
+  const Image& picture;                    // the G-buffer read back, for views that cover a part of it
+  DistanceRange receiver_range;            // along the camera's axis
   glm::dvec4 receiver_plane_world{0, 1, 0, 0};
   uint64_t seed = 1;
   std::filesystem::path shaders_folder;
 };
 
-/// Parameters, choices, screen.* and light.*: what expressions may use outside loops.
+/// Parameters, choices, built-in variables and the technique's own values: what expressions may use outside loops.
 ExpressionVariables run_variables(const RunInputs& inputs);
 
 /// Whether `condition` holds, as one that was left out does.

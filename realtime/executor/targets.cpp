@@ -31,6 +31,18 @@ int side(const ResourceDeclaration& resource, const Expression& expression,
   return static_cast<int>(whole_number(expression, variables, 1, std::numeric_limits<int>::max(), what));
 }
 
+int layer_count(const ResourceDeclaration& resource, const ExpressionVariables& variables) {
+  switch (resource.kind) {
+    case TextureKind::flat:
+      return 1;
+    case TextureKind::array:
+      return side(resource, resource.layers, variables, "layers");
+    case TextureKind::cube:
+      return 6;
+  }
+  return 1;
+}
+
 }  // namespace
 
 Targets::Targets(const RunInputs& inputs, const ExpressionVariables& variables)
@@ -55,15 +67,19 @@ void Targets::add_resource(const ResourceDeclaration& resource, const Expression
   const int height = side(resource, resource.height, variables, "height");
   const int levels = count(resource, resource.levels, variables, "levels");
   const int samples = count(resource, resource.samples, variables, "samples");
+  const int layers = layer_count(resource, variables);
   const FileLocation& where = resource.width.where();
   const auto make = [&](auto& textures, const TextureShape& shape) {
     Texture texture(format, width, height, resource.name, where, shape);
     return &textures.insert_or_assign(resource.name, std::move(texture)).first->second;
   };
   Target target;
-  if (samples > 1) target.multisampled = make(multisampled_, {.levels = levels, .samples = samples});
+  const TextureShape drawn{.levels = levels, .samples = samples, .kind = resource.kind, .layers = layers};
+  if (samples > 1) target.multisampled = make(multisampled_, drawn);
   const bool is_resolved = samples == 1 || !format.is_depth;  // several depths have no mean
-  target.texture = is_resolved ? make(owned_, {.levels = levels}) : target.multisampled;
+  target.texture =
+      is_resolved ? make(owned_, {.levels = levels, .samples = 1, .kind = resource.kind, .layers = layers})
+                  : target.multisampled;
   target.sampler = Sampler(
       {.filter = resource.filter,
        .anisotropy = static_cast<double>(count(resource, resource.anisotropy, variables, "anisotropy")),

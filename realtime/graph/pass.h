@@ -31,13 +31,15 @@ struct PassState {
 struct PassDeclaration {
   std::string id;
   PassKind kind = PassKind::fullscreen;
-  std::string view;                 // scene: view to render from
-  std::string vertex, fragment;     // files in the folder or in shaders/; scene passes may leave fragment empty
+  std::string view;              // scene: view to render from
+  Expression view_index;         // which member when that is a family of views
+  std::string vertex, fragment;  // files in the folder or in shaders/; scene passes may leave fragment empty
   std::vector<std::string> reads;   // resource names or built-ins (gbuffer.position, ...)
   std::vector<std::string> writes;  // resource names, or "visibility"
   std::vector<std::string> views;   // views whose block the shaders see
   PassState state;
   Expression write_level;  // level of the written resources; 0 when left out
+  Expression write_layer;  // layer of those that have layers
   bool once = false;       // drawn in the first frame of a run only: depends on parameters alone
   Expression condition;    // run only when this is left out or not 0
   std::string timer;       // label that timings are summed under; the id when empty

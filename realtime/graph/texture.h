@@ -4,6 +4,11 @@
 
 namespace umbrameter {
 
+enum class TextureKind {
+  flat,   // "2d"
+  array,  // layers of one size
+  cube    // six square layers, ordered and turned as GL's faces: +x, -x, +y, -y, +z, -z
+};
 enum class TextureFilter { nearest, linear, mipmap };  // mipmap: linear between levels too
 enum class TextureWrap { border, clamp, repeat };
 

@@ -91,6 +91,10 @@ void check_parameters(const Manifest& manifest, const std::set<std::string, std:
     check_is_read(manifest, parameter, shader_tokens);
   const Technique& technique = manifest.technique;
   for (const Parameter& parameter : technique.parameters) check_when(technique, parameter);
+  for (const ValueDeclaration& value : technique.values) {
+    if (!manifest.expression_names.contains(value.name))
+      fail_input(fmt::format("value '{}' is never used", value.name), value.where, "no expression names it");
+  }
   const ParameterValues defaults = default_values(technique.parameters);
   for (const Expression& constraint : technique.constraints)
     check_constraint(technique, constraint, defaults, "the defaults");

@@ -47,9 +47,13 @@ void check_identifiers(const Technique& technique) {
     for (const std::string& name : {resource.name, resource.name + "_size", "out_" + resource.name}) {
       identifiers.claim(name, what, resource.where);
     }
+    if (resource.kind == TextureKind::array)
+      identifiers.claim(resource.name + "_layers", what, resource.where);
   }
   for (const ViewDeclaration& view : technique.views) {
-    identifiers.claim("view_" + view.name, fmt::format("view '{}'", view.name), view.where);
+    const std::string what = fmt::format("view '{}'", view.name);
+    identifiers.claim("view_" + view.name, what, view.where);
+    if (view.is_family()) identifiers.claim(fmt::format("view_{}_count", view.name), what, view.where);
   }
   claim_loops(identifiers, technique.passes);
 }
@@ -60,6 +64,7 @@ class PassChecker {
   explicit PassChecker(const Technique& technique) : technique_(technique) {
     for (const ResourceDeclaration& resource : technique.resources) {
       formats_[resource.name] = &find_texture_format(resource.format, resource.where);
+      if (resource.kind != TextureKind::flat) layered_.insert(resource.name);
       known_writes_.push_back(resource.name);
     }
     formats_[std::string(kVisibility)] = &find_texture_format("r32f");
@@ -112,18 +117,35 @@ class PassChecker {
         fail(pass, fmt::format("uses the view '{}', which is not declared", name), suggest_name(name, known));
       }
       used_views_.insert(name);
-      check_loop_names(pass, *view, loop_variables);
+      if (name == pass.view) check_member(pass, *view);
+      if (!view->is_family()) check_loop_names(pass, *view, loop_variables);
     }
   }
 
-  /// A sample view that depends on a loop variable can only be used inside that loop.
+  /// A pass draws from one view: of a family it says which, and its shaders see that one alone.
+  static void check_member(const PassDeclaration& pass, const ViewDeclaration& view) {
+    if (view.is_family() && pass.view_index.is_empty())
+      fail(pass, fmt::format("draws from the views '{}' and does not say from which", view.name),
+           "add 'view_index'");
+    if (!view.is_family() && !pass.view_index.is_empty())
+      fail(pass, fmt::format("has a 'view_index', but '{}' is a single view", view.name),
+           "leave it out, or give the view a 'count'");
+    if (view.is_family() && std::ranges::find(pass.views, view.name) != pass.views.end())
+      fail(pass, fmt::format("draws from one of the views '{}' and lists them all in 'views'", view.name));
+  }
+
+  /// A view that depends on a loop variable can only be used inside that loop.
   void check_loop_names(const PassDeclaration& pass, const ViewDeclaration& view,
                         const NameSet& loop_variables) {
-    if (view.from != ViewOrigin::light_sample) return;
     const NameSet all = all_loop_variables(technique_.passes);
-    for (const std::string& name : view.sample.names()) {
-      if (!all.contains(name) || loop_variables.contains(name)) continue;
-      fail(pass, fmt::format("uses the view '{}' outside the loop over '{}'", view.name, name));
+    std::vector<const Expression*> expressions = {&view.index, &view.snap, &view.size};
+    if (view.slice_world)
+      for (const Expression& end : *view.slice_world) expressions.push_back(&end);
+    for (const Expression* expression : expressions) {
+      for (const std::string& name : expression->names()) {
+        if (!all.contains(name) || loop_variables.contains(name)) continue;
+        fail(pass, fmt::format("uses the view '{}' outside the loop over '{}'", view.name, name));
+      }
     }
   }
 
@@ -191,6 +213,7 @@ class PassChecker {
       (formats_.at(name)->is_depth ? depths : colors) += 1;
       check_contents(pass, name);
     }
+    if (pass.kind != PassKind::mipmap) check_layer(pass);
     if (depths > 1) fail(pass, "writes more than one depth resource");
     if (colors > kMaxColors) fail(pass, fmt::format("writes more than {} colour resources", kMaxColors));
     if (colors > 0 && pass.fragment.empty()) fail(pass, "writes colour without a 'fragment' shader");
@@ -198,6 +221,15 @@ class PassChecker {
       written_.insert(name);
       if (colors > 0 && formats_.at(name)->is_depth) depth_for_colors_.insert(name);
     }
+  }
+
+  void check_layer(const PassDeclaration& pass) const {
+    const auto layered =
+        std::ranges::find_if(pass.writes, [&](const auto& name) { return layered_.contains(name); });
+    if (layered != pass.writes.end() && pass.write_layer.is_empty())
+      fail(pass, fmt::format("writes '{}' and does not say which layer", *layered), "add 'write_layer'");
+    if (layered == pass.writes.end() && !pass.write_layer.is_empty())
+      fail(pass, "has a 'write_layer', but writes nothing with layers");
   }
 
   /// Blending, and drawing that leaves texels out, need something in the target.
@@ -237,6 +269,7 @@ class PassChecker {
   std::vector<std::string> known_reads_;
   std::vector<std::string> known_writes_;
   NameSet ids_, written_, written_once_, read_, used_views_;
+  NameSet layered_;           // resources with layers
   NameSet depth_for_colors_;  // depth resources that only serve the depth test of a pass with colours
 };
 
@@ -244,6 +277,7 @@ class PassChecker {
 
 void check_passes(const Technique& technique) {
   check_identifiers(technique);
+  check_views(technique);
   PassChecker(technique).check_all();
 }
 

@@ -15,6 +15,9 @@ void check_passes(const Technique& technique);
 /// follows a write of the same frame. Error{input} at the first that does not.
 void check_frames(const Technique& technique);
 
+/// Views: origins and fits that go with the technique's lights and with each other. check_passes() calls it.
+void check_views(const Technique& technique);
+
 /// Parameters: each is read (define and uniform ones by `shader_tokens`, host ones by an expression or a
 /// fit), presets name them, constraints hold for the defaults and every preset. Error{input} at the first
 /// fault.

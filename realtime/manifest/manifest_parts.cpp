@@ -45,18 +45,35 @@ void check_expression(Manifest& manifest, const Expression& expression, const Na
   }
 }
 
+namespace {
+
+Expression expression_of(Manifest& manifest, const TomlNode& node, const std::string& key,
+                         const Names& scope) {
+  const bool is_integer = node.type == TomlNode::Type::integer;
+  if (!is_integer && node.type != TomlNode::Type::text) {
+    fail_input(fmt::format("'{}' must be an expression or an integer, not {}", key, describe(node.type)),
+               node.where);
+  }
+  Expression expression(is_integer ? fmt::format("{}", node.integer) : node.text, node.where);
+  check_expression(manifest, expression, scope);
+  return expression;
+}
+
+}  // namespace
+
 Expression read_expression(Manifest& manifest, TomlReader& reader, const std::string& key,
                            const Names& scope) {
   const TomlNode* node = reader.find(key);
-  if (node == nullptr) return {};
-  const bool is_integer = node->type == TomlNode::Type::integer;
-  if (!is_integer && node->type != TomlNode::Type::text) {
-    reader.fail(key,
-                fmt::format("'{}' must be an expression or an integer, not {}", key, describe(node->type)));
-  }
-  Expression expression(is_integer ? fmt::format("{}", node->integer) : node->text, node->where);
-  check_expression(manifest, expression, scope);
-  return expression;
+  return node == nullptr ? Expression() : expression_of(manifest, *node, key, scope);
+}
+
+std::array<Expression, 2> read_expression_pair(Manifest& manifest, TomlReader& reader, const std::string& key,
+                                               const Names& scope) {
+  const TomlNode& list = reader.require(key);
+  if (list.type != TomlNode::Type::array || list.items.size() != 2)
+    reader.fail(key, fmt::format("'{}' must be a list of two expressions", key));
+  return {expression_of(manifest, list.items[0], key, scope),
+          expression_of(manifest, list.items[1], key, scope)};
 }
 
 Expression require_expression(Manifest& manifest, TomlReader& reader, const std::string& key,

@@ -9,6 +9,7 @@ namespace umbrameter {
 namespace {
 
 // In the order of their enumerations.
+const std::array<std::string, 3> kTextureKinds = {"2d", "array", "cube"};
 const std::array<std::string, 3> kFilters = {"nearest", "linear", "mipmap"};
 const std::array<std::string, 3> kWraps = {"border", "clamp", "repeat"};
 const std::array<std::string, 4> kPassKinds = {"scene", "fullscreen", "mipmap", "loop"};
@@ -21,19 +22,21 @@ Enum read_enum(TomlReader& reader, const std::string& key, const std::array<std:
   return static_cast<Enum>(reader.choice(key, names, 0));
 }
 
-/// "light.center" or "light.sample(<expression>)".
+/// "light.center", or one of the others with the expression between its brackets.
 void read_origin(Manifest& manifest, TomlReader& reader, ViewDeclaration& view, const Names& scope) {
-  constexpr std::string_view kSample = "light.sample(";
   const std::string from = reader.text("from", "light.center");
   if (from == "light.center") return;
-  if (!from.starts_with(kSample) || !from.ends_with(')')) {
-    reader.fail("from", fmt::format("a view cannot be from '{}'", from),
-                "light.center or light.sample(<expression>)");
+  for (const auto& [origin, prefix] : {std::pair(ViewOrigin::light_sample, std::string("light.sample(")),
+                                       std::pair(ViewOrigin::light_face, std::string("light.face("))}) {
+    if (!from.starts_with(prefix) || !from.ends_with(')')) continue;
+    view.from = origin;
+    view.index =
+        Expression(from.substr(prefix.size(), from.size() - prefix.size() - 1), reader.where("from"));
+    check_expression(manifest, view.index, scope);
+    return;
   }
-  view.from = ViewOrigin::light_sample;
-  view.sample =
-      Expression(from.substr(kSample.size(), from.size() - kSample.size() - 1), reader.where("from"));
-  check_expression(manifest, view.sample, scope);
+  reader.fail("from", fmt::format("a view cannot be from '{}'", from),
+              "light.center, light.sample(<expression>) or light.face(<expression>)");
 }
 
 /// A fit is one of light_fits() or a choice parameter among them.
@@ -52,6 +55,25 @@ void check_fit(Manifest& manifest, const TomlReader& reader, const std::string& 
   }
   reader.fail("fit", fmt::format("unknown fit '{}'", fit),
               fmt::format("{} or the name of a choice parameter", fmt::join(known, ", ")));
+}
+
+/// What a face covers is known: a right angle.
+void read_coverage(Manifest& manifest, TomlReader& reader, ViewDeclaration& view, const Names& scope) {
+  if (view.from == ViewOrigin::light_face) {
+    for (const std::string_view key : {"fit", "snap", "slice_world"}) {
+      if (reader.has(std::string(key)))
+        reader.fail(std::string(key), fmt::format("a face of the light's cube has no '{}'", key),
+                    "it covers a right angle: leave it out");
+    }
+    return;
+  }
+  view.fit = reader.text("fit", view.fit);
+  check_fit(manifest, reader, view.fit);
+  view.snap = read_expression(manifest, reader, "snap", scope);
+  if (!reader.has("slice_world")) return;
+  if (view.from != ViewOrigin::light_center)
+    reader.fail("slice_world", "only a view from light.center can cover a slice of the frustum");
+  view.slice_world = read_expression_pair(manifest, reader, "slice_world", scope);
 }
 
 PassState read_state(TomlReader& reader) {
@@ -85,6 +107,7 @@ void read_loop(Manifest& manifest, TomlReader& reader, PassDeclaration& pass, Na
 void read_drawing(Manifest& manifest, TomlReader& reader, PassDeclaration& pass, const Names& scope) {
   if (pass.kind == PassKind::scene) {
     pass.view = reader.text("view", "");
+    pass.view_index = read_expression(manifest, reader, "view_index", scope);
     pass.vertex = reader.text("vertex", "");
     pass.fragment = reader.text("fragment", "");
     if (pass.view.empty() && pass.vertex.empty()) {
@@ -98,6 +121,7 @@ void read_drawing(Manifest& manifest, TomlReader& reader, PassDeclaration& pass,
   pass.views = reader.texts("views");
   pass.state = read_state(reader);
   pass.write_level = read_expression(manifest, reader, "write_level", scope);
+  pass.write_layer = read_expression(manifest, reader, "write_layer", scope);
   pass.once = reader.boolean("once", false);
   if (pass.once && reader.has("timer"))
     reader.fail("timer", "a pass that runs once is not timed", "leave out 'timer'");
@@ -112,8 +136,14 @@ ResourceDeclaration read_resource(Manifest& manifest, const TomlNode& table, con
   resource.where = table.where;
   resource.name = read_name(reader, "name");
   resource.format = reader.text("format");
+  resource.kind = read_enum<TextureKind>(reader, "kind", kTextureKinds);
   resource.width = require_expression(manifest, reader, "width", scope);
   resource.height = require_expression(manifest, reader, "height", scope);
+  if (resource.kind == TextureKind::array) {
+    resource.layers = require_expression(manifest, reader, "layers", scope);
+  } else if (reader.has("layers")) {
+    reader.fail("layers", "only kind = \"array\" has 'layers'", "a cube has six");
+  }
   resource.levels = read_expression(manifest, reader, "levels", scope);
   resource.samples = read_expression(manifest, reader, "samples", scope);
   resource.anisotropy = read_expression(manifest, reader, "anisotropy", scope);
@@ -126,16 +156,24 @@ ResourceDeclaration read_resource(Manifest& manifest, const TomlNode& table, con
   return resource;
 }
 
-ViewDeclaration read_view(Manifest& manifest, const TomlNode& table, const Names& scope) {
+ViewDeclaration read_view(Manifest& manifest, const TomlNode& table, const Names& scope,
+                          const Names& family_scope) {
   TomlReader reader(table, "[[view]]");
   ViewDeclaration view;
   view.where = table.where;
   view.name = read_name(reader, "name");
-  read_origin(manifest, reader, view, scope);
-  view.fit = reader.text("fit", view.fit);
-  check_fit(manifest, reader, view.fit);
-  view.snap = read_expression(manifest, reader, "snap", scope);
-  view.size = require_expression(manifest, reader, "size", scope);
+  Names inner = scope;
+  if (reader.has("count")) {
+    inner = family_scope;
+    view.count = read_expression(manifest, reader, "count", inner);
+    view.variable = read_name(reader, "variable");
+    if (std::ranges::find(inner, view.variable) != inner.end())
+      reader.fail("variable", fmt::format("'{}' means something else already", view.variable));
+    inner.push_back(view.variable);
+  }
+  read_origin(manifest, reader, view, inner);
+  read_coverage(manifest, reader, view, inner);
+  view.size = require_expression(manifest, reader, "size", inner);
   reader.finish();
   return view;
 }

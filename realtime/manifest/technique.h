@@ -14,6 +14,13 @@
 
 namespace umbrameter {
 
+/// `[[value]]`: a number that expressions may use by its name.
+struct ValueDeclaration {
+  std::string name;
+  Expression value;
+  FileLocation where;
+};
+
 struct Preset {
   std::string name;
   std::string doc;
@@ -32,6 +39,7 @@ struct Technique {
   std::filesystem::path folder;
   std::vector<Parameter> parameters;  // those of the included files, then own ones
   std::vector<Expression> constraints;
+  std::vector<ValueDeclaration> values;  // each may use those before it
   std::vector<ViewDeclaration> views;
   std::vector<ResourceDeclaration> resources;
   std::vector<PassDeclaration> passes;

@@ -32,7 +32,7 @@ bool has_parameter(const Technique& technique, const std::string& name) {
 }
 
 Light light_for(const Technique& technique) {
-  return light_at_4(technique.supports(LightType::rect) ? LightType::rect : technique.lights.front(), 0.5);
+  return light_at_4(any_light(technique), 0.5);
 }
 
 struct Score {
@@ -167,6 +167,13 @@ ExpressionVariables variables_for(const Technique& technique, const ParameterVal
   variables["light.type"] = static_cast<double>(light.type);
   for (const LightType type : {LightType::rect, LightType::disk, LightType::sphere, LightType::sun})
     variables[fmt::format("light.{}", to_text(type))] = static_cast<double>(type);
+  // No size or condition may hang on these; values need some.
+  for (const auto& [name, value] :
+       {std::pair("scene.diagonal", 20.0), std::pair("camera.near", 0.01), std::pair("camera.far", 20.0),
+        std::pair("receivers.near", 1.0), std::pair("receivers.far", 10.0)})
+    variables[name] = value;
+  for (const ValueDeclaration& value : technique.values)
+    variables[value.name] = value.value.evaluate(variables);
   return variables;
 }
 
@@ -183,12 +190,15 @@ uint64_t bytes_of(const ResourceDeclaration& resource, const ExpressionVariables
   auto height = static_cast<uint64_t>(resource.height.evaluate(variables));
   const auto levels = static_cast<int>(value_or(resource.levels, variables, 1));
   const auto samples = static_cast<uint64_t>(value_or(resource.samples, variables, 1));
+  const auto layers = resource.kind == TextureKind::cube
+                          ? uint64_t{6}
+                          : static_cast<uint64_t>(value_or(resource.layers, variables, 1));
   const uint64_t texel = kTexelBytes.at(resource.format);
   const uint64_t several = samples > 1 ? samples * width * height * texel : 0;
   if (several > 0 && resource.format == "depth32f") return several;  // is not resolved
   uint64_t bytes = 0;
   for (int level = 0; level < levels; ++level) {
-    bytes += width * height * texel;
+    bytes += width * height * layers * texel;
     width = std::max<uint64_t>(1, width / 2);
     height = std::max<uint64_t>(1, height / 2);
   }
