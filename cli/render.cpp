@@ -7,6 +7,7 @@
 #include "cli/staging.h"
 #include "core/error.h"
 #include "core/image_io.h"
+#include "realtime/inspect.h"
 #include "study/format.h"
 #include "study/metadata.h"
 #include "study/timing.h"
@@ -24,6 +25,7 @@ struct RenderOptions {
   std::string technique;
   std::vector<std::string> assignments;
   std::string preset;
+  std::string dump;
   bool no_skip = false;
   QualityOptions quality;
 };
@@ -50,6 +52,33 @@ void print_frame(const TimedRun& timed, const SceneJob& job, const TechniqueRun&
   print_json(answer);
 }
 
+/// Writes a texture of the technique's instead of its visibility.
+int dump(const RenderOptions& options, const TechniqueRun& run, const SceneJob& job,
+         const RenderRequest& request, Renderer& renderer, const GlobalOptions& global) {
+  const ResourcePart part = parse_resource_part(options.dump);
+  const StagedFile file(global.out.empty() ? "resource.exr" : global.out, ".exr");
+  ProgressBar progress;
+  const Image image = dump_resource(renderer, job.scene, request, part, progress);
+  write_exr(file.staged(), image);
+  file.publish();
+  const std::string target = file.target().string();
+  if (global.json) {
+    print_json({{"file", target},
+                {"scene", job.name},
+                {"technique", run.id},
+                {"resource", part.resource},
+                {"layer", part.layer},
+                {"level", part.level},
+                {"width_px", image.width},
+                {"height_px", image.height}});
+  } else {
+    print_answer(fmt::format("{}: {} of {} on {}, layer {}, level {}, {} x {} texels\n", target,
+                             part.resource, run.label, job.name, part.layer, part.level, image.width,
+                             image.height));
+  }
+  return kExitFine;
+}
+
 int render(const RenderOptions& options, const GlobalOptions& global) {
   const Quality quality = choose_quality(options.quality);
   const Home home = find_home();
@@ -62,13 +91,14 @@ int render(const RenderOptions& options, const GlobalOptions& global) {
     fail_input(fmt::format("technique '{}' does not support the {} light of scene '{}'", run.id,
                            to_text(light), job.name));
   }
-  const StagedFile file(global.out.empty() ? "visibility.exr" : global.out, ".exr");
   for (const std::string& warning : job.scene.warnings) print_warning(warning);
   const auto renderer = open_realtime_renderer(global, home, !options.no_skip);
-  ProgressBar progress;
   RenderRequest request = request_of(quality.picture);
   request.technique = run.technique;
   request.parameters = run.parameters;
+  if (!options.dump.empty()) return dump(options, run, job, request, *renderer, global);
+  const StagedFile file(global.out.empty() ? "visibility.exr" : global.out, ".exr");
+  ProgressBar progress;
   const LabelledRequest labelled{run.label, request};
   TimedRun timed = render_interleaved(*renderer, job.scene, {&labelled, 1},
                                       {.wanted_frames = quality.timed_frames}, progress)
@@ -96,6 +126,9 @@ void add_render(CLI::App& app, CommandLine& line) {
   verb->add_flag("--no-skip", options->no_skip,
                  "draw triangles that cannot reach the light's map, too; same picture");
   add_one_light_option(*verb, line.global);
+  verb->add_option(
+      "--dump", options->dump,
+      "write this texture of the technique's instead: RESOURCE[:LAYER[:LEVEL]] (default resource.exr)");
   add_quality_options(*verb, options->quality);
   verb->callback(
       [options, &line] { line.verb = [options, &line] { return render(*options, line.global); }; });

@@ -2,10 +2,10 @@
 // The Renderer over EGL and GL: keeps context, programs, and the buffers and G-buffers of the scenes and cameras seen last.
 
 #include "core/clock.h"
-#include "core/hash.h"
 #include "realtime/device_identity.h"
 #include "realtime/executor/check_visibility.h"
 #include "realtime/executor/execute.h"
+#include "realtime/executor/inspect_plan.h"
 #include "realtime/executor/left_out.h"
 #include "realtime/executor/receivers.h"
 #include "realtime/executor/texel_planes.h"
@@ -16,9 +16,10 @@
 #include "realtime/manifest/technique_cache.h"
 #include "realtime/realtime.h"
 #include "realtime/recently_used.h"
+#include "realtime/render_keys.h"
 #include "scenes/local_scene.h"
-#include "scenes/scene_hash.h"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 
@@ -29,39 +30,6 @@ namespace {
 constexpr size_t kScenesBytes = size_t{256} << 20;
 constexpr size_t kPicturesBytes = size_t{256} << 20;
 constexpr size_t kPictureBytesPerPixel = 112;  // 60 of textures, 52 of planes
-
-void hash_vector(Hasher& hasher, const glm::dvec3& v) {
-  hasher.number(v.x).number(v.y).number(v.z);
-}
-
-/// Of the geometry; a loaded scene brings its hash along.
-std::string geometry_key(const Scene& scene) {
-  if (!scene.hash.empty()) return scene.hash;
-  Hasher hasher;
-  hasher.values(std::span<const glm::vec3>(scene.positions_world));
-  hasher.values(std::span<const glm::vec3>(scene.normals_world));
-  hasher.values(std::span<const glm::uvec3>(scene.triangles));
-  hash_cutouts(hasher, scene);
-  return hasher.hex();
-}
-
-/// Of what a G-buffer shows beyond the geometry. The active light may change without the scene's hash.
-std::string picture_key(const Scene& scene, const RenderRequest& request) {
-  Hasher hasher;
-  hasher.text(geometry_key(scene)).number(request.width_px).number(request.height_px);
-  hash_vector(hasher, scene.camera.eye_world);
-  hash_vector(hasher, scene.camera.at_world);
-  hash_vector(hasher, scene.camera.up_world);
-  hasher.number(scene.camera.vertical_fov_deg).number(scene.camera.near_world);
-  const Light& light = scene.light();
-  hasher.number(static_cast<double>(light.type));
-  hash_vector(hasher, light.center_world);
-  hash_vector(hasher, light.tangent_world);
-  hash_vector(hasher, light.bitangent_world);
-  hash_vector(hasher, light.direction_world);
-  hasher.number(light.size_world.x).number(light.size_world.y).number(light.radius_world);
-  return hasher.number(light.half_angle_rad).hex();
-}
 
 struct SceneOnGpu {
   SceneBuffers buffers;
@@ -78,6 +46,7 @@ struct Picture {
   GBuffer gbuffer;
   Image image;
   std::vector<ReceiverTile> receivers;
+  DistanceRange receiver_range;
   glm::dvec4 receiver_plane_world{0.0};
 };
 
@@ -130,6 +99,22 @@ class GlRenderer final : public Renderer {
   }
 
   const GlDevice& device() const { return context_.device(); }
+
+  Image dump(const Scene& scene, const RenderRequest& request, const ResourcePart& part, Progress& progress) {
+    const std::optional<LocalScene> local = local_scene(scene);
+    check_request(request);
+    context_.make_current();
+    const auto run = make_run(local ? local->scene : scene, request, false);
+    draw_first(*run, progress);
+    return read_layer(find_part(run->technique, *run->plan.targets, part), part.layer, part.level);
+  }
+
+  std::vector<FinalShader> shaders(const Scene& scene, const RenderRequest& request) {
+    check_request(request);
+    context_.make_current();
+    const auto run = make_run(scene, request, false);
+    return final_shaders(run->plan);
+  }
 
  private:
   /// Near the origin; the frame says where the scene really is.
@@ -188,12 +173,16 @@ class GlRenderer final : public Renderer {
     const size_t pixels = static_cast<size_t>(request.width_px) * static_cast<size_t>(request.height_px);
     pictures_.make_room(pixels * kPictureBytesPerPixel);
     const std::shared_ptr<const SceneOnGpu> on_gpu = scene_on_gpu(scene);
-    auto picture = std::make_shared<Picture>(Picture{
-        GBuffer(request.width_px, request.height_px), Image(request.width_px, request.height_px), {}, {}});
+    auto picture = std::make_shared<Picture>(Picture{GBuffer(request.width_px, request.height_px),
+                                                     Image(request.width_px, request.height_px),
+                                                     {},
+                                                     {},
+                                                     {}});
     gbuffer_renderer_.render(scene, on_gpu->buffers, picture->gbuffer);
     check_gl_errors("G-buffer");
     read_gbuffer(picture->gbuffer, picture->image);
     picture->receivers = receiver_tiles(picture->image);
+    picture->receiver_range = receiver_range(picture->image, scene.camera);
     picture->receiver_plane_world = receiver_plane(picture->image);
     pictures_.keep(key, picture, pixels * kPictureBytesPerPixel);
     return picture;
@@ -216,6 +205,8 @@ class GlRenderer final : public Renderer {
                            picture.gbuffer,
                            picture.receivers,
                            run->scene->casters,
+                           picture.image,
+                           picture.receiver_range,
                            picture.receiver_plane_world,
                            request.seed,
                            settings_.shaders_folder};
@@ -264,13 +255,15 @@ class GlRenderer final : public Renderer {
     const std::array<std::string, 1> channels = {std::string(kVisibility)};
     read_texture(plan.targets->visibility(), channels, frame.image);
     if (const auto warning = check_visibility(frame.image, technique.id)) frame.warnings.push_back(*warning);
-    if (plan.center_view) {
-      add_texel_planes(*plan.center_view, frame.image);
+    if (!plan.center_views.empty()) {
+      add_texel_planes(plan.center_views, frame.image);
       add_bias_plane(frame.parameters, frame.image);
     }
-    const std::optional<FittedView>& map = plan.center_view ? plan.center_view : plan.sample_view;
-    if (!map) return;
-    const double outside = share_outside(frame.image, map->view);
+    std::vector<LightView> maps;
+    for (const FittedView& fitted : plan.center_views) maps.push_back(fitted.view);
+    if (maps.empty() && plan.sample_view) maps.push_back(plan.sample_view->view);
+    if (maps.empty()) return;
+    const double outside = share_outside(frame.image, maps);
     if (outside == 0.0) return;
     frame.warnings.push_back(
         fmt::format("technique '{}': {:.3g} % of the receivers lie outside the light's map and count as lit",
@@ -288,6 +281,13 @@ class GlRenderer final : public Renderer {
   RecentlyUsed<Picture> pictures_{kPicturesBytes};
 };
 
+template <class Made, class Given>
+Made& gl_renderer_of(Given& renderer) {
+  auto* gl = dynamic_cast<Made*>(&renderer);
+  UMBRAMETER_ASSERT(gl != nullptr, "{} renderer", "not a real-time");
+  return *gl;
+}
+
 }  // namespace
 
 std::unique_ptr<Renderer> make_realtime_renderer(const RealtimeSettings& settings) {
@@ -295,9 +295,17 @@ std::unique_ptr<Renderer> make_realtime_renderer(const RealtimeSettings& setting
 }
 
 std::string device_identity(const Renderer& renderer) {
-  const auto* gl = dynamic_cast<const GlRenderer*>(&renderer);
-  UMBRAMETER_ASSERT(gl != nullptr, "not a real-time renderer");
-  return fmt::format("{}, {}", gl->device().renderer, gl->device().version);
+  const GlDevice& device = gl_renderer_of<const GlRenderer>(renderer).device();
+  return fmt::format("{}, {}", device.renderer, device.version);
+}
+
+Image dump_resource(Renderer& renderer, const Scene& scene, const RenderRequest& request,
+                    const ResourcePart& part, Progress& progress) {
+  return gl_renderer_of<GlRenderer>(renderer).dump(scene, request, part, progress);
+}
+
+std::vector<FinalShader> final_shaders(Renderer& renderer, const Scene& scene, const RenderRequest& request) {
+  return gl_renderer_of<GlRenderer>(renderer).shaders(scene, request);
 }
 
 }  // namespace umbrameter

@@ -14,18 +14,30 @@ void bind_range(const Buffer& buffer, const UniformRange& range) {
   glBindBufferRange(GL_UNIFORM_BUFFER, range.binding, buffer.id(), range.offset, range.bytes);
 }
 
-void set_blend(const std::string& blend) {
-  if (blend == "none") return;
+void blend_by(GLenum equation) {
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE);  // min and max ignore it
-  glBlendEquation(blend == "add" ? GL_FUNC_ADD : blend == "min" ? GL_MIN : GL_MAX);
+  glBlendEquation(equation);
 }
 
-void set_cull(const std::string& cull, bool mirrors) {
-  if (cull == "none") return;
+void set_blend(BlendMode blend) {
+  switch (blend) {
+    case BlendMode::none:
+      return;
+    case BlendMode::add:
+      return blend_by(GL_FUNC_ADD);
+    case BlendMode::min:
+      return blend_by(GL_MIN);
+    case BlendMode::max:
+      return blend_by(GL_MAX);
+  }
+}
+
+void set_cull(CullMode cull, bool mirrors) {
+  if (cull == CullMode::none) return;
   glEnable(GL_CULL_FACE);
   glFrontFace(mirrors ? GL_CW : GL_CCW);
-  glCullFace(cull == "back" ? GL_BACK : GL_FRONT);
+  glCullFace(cull == CullMode::back ? GL_BACK : GL_FRONT);
 }
 
 void set_state(const PassDeclaration& pass, bool mirrors) {
@@ -83,7 +95,7 @@ void draw_pass(const Plan& plan, const Step& step, const SceneBuffers& scene_buf
   pass.program->use();
   for (const BoundTexture& bound : pass.textures) bind_texture(bound.unit, *bound.texture, *bound.sampler);
   for (const UniformRange& range : step.uniforms) bind_range(plan.uniforms, range);
-  if (declaration.kind == "scene") {
+  if (declaration.kind == PassKind::scene) {
     set_clip_distances(declaration.state, true);
     step.casters ? scene_buffers.draw(*step.casters) : scene_buffers.draw();
     if (pass.cutout_program) {
@@ -97,10 +109,22 @@ void draw_pass(const Plan& plan, const Step& step, const SceneBuffers& scene_buf
   for (const Resolve& targets : pass.resolves) resolve(targets);
 }
 
+/// What a pass does stands together in a graphics debugger's list.
+class DebugGroup {
+ public:
+  explicit DebugGroup(const std::string& name) {
+    glPushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 0, static_cast<GLsizei>(name.size()), name.data());
+  }
+  ~DebugGroup() { glPopDebugGroup(); }
+  DebugGroup(const DebugGroup&) = delete;
+  DebugGroup& operator=(const DebugGroup&) = delete;
+};
+
 void draw_step(const Plan& plan, const Step& step, const SceneBuffers& scene_buffers,
                const VertexArray& empty_vertex_array) {
   const PreparedPass& pass = plan.passes[step.pass];
-  if (pass.declaration->kind != "mipmap") draw_pass(plan, step, scene_buffers, empty_vertex_array);
+  const DebugGroup group(pass.declaration->id);
+  if (pass.declaration->kind != PassKind::mipmap) draw_pass(plan, step, scene_buffers, empty_vertex_array);
   for (const Texture* texture : pass.mipmaps) glGenerateTextureMipmap(texture->id());
 }
 

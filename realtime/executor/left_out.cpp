@@ -12,7 +12,7 @@ constexpr double kMiB = 1024.0 * 1024.0;
 void add_passes(const std::vector<PassDeclaration>& passes, const Plan& plan,
                 std::vector<std::string>& names) {
   for (const PassDeclaration& pass : passes) {
-    if (pass.kind == "loop") {
+    if (pass.kind == PassKind::loop) {
       add_passes(pass.body, plan, names);
       continue;
     }
@@ -22,10 +22,12 @@ void add_passes(const std::vector<PassDeclaration>& passes, const Plan& plan,
   }
 }
 
-/// Of the first level; 0 when the parameters give it no size.
+/// Of the first level of all layers; 0 when the parameters give it no size.
 double bytes_of(const ResourceDeclaration& resource, const ExpressionVariables& variables) {
-  const double texels = evaluate_expression(resource.width.text, variables, resource.width.where) *
-                        evaluate_expression(resource.height.text, variables, resource.height.where);
+  const double layers = resource.kind == TextureKind::cube ? 6.0
+                        : resource.layers.is_empty()       ? 1.0
+                                                           : resource.layers.evaluate(variables);
+  const double texels = resource.width.evaluate(variables) * resource.height.evaluate(variables) * layers;
   const double bytes = texels * find_texture_format(resource.format, resource.where).bytes_per_texel;
   return std::isfinite(bytes) ? std::max(bytes, 0.0) : 0.0;
 }

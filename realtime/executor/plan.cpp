@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 
 namespace umbrameter {
 namespace {
@@ -54,7 +55,7 @@ class Planner {
     add_passes(inputs_.technique.passes);
     require_visibility();
     plan_.uniforms = store_.upload();
-    plan_.center_view = views_.center();
+    plan_.center_views = views_.center();
     plan_.sample_view = views_.first_sample();
     return std::move(plan_);
   }
@@ -62,8 +63,8 @@ class Planner {
  private:
   void add_passes(const std::vector<PassDeclaration>& passes) {
     for (const PassDeclaration& pass : passes) {
-      if (!holds(pass.condition, variables_, pass.where)) continue;
-      if (pass.kind == "loop") {
+      if (!holds(pass.condition, variables_)) continue;
+      if (pass.kind == PassKind::loop) {
         add_loop(pass);
       } else {
         add_step(pass);
@@ -93,16 +94,20 @@ class Planner {
           pass.where, "lower a loop's count");
     }
     Step step;
-    step.pass = prepared_index(pass, write_level(pass));
+    step.pass = prepared_index(
+        pass, {chosen(pass, pass.write_level, "write_level"), chosen(pass, pass.write_layer, "write_layer")});
     step.once = pass.once;
     add_loop_block(step);
     GLuint binding = kFirstViewBinding;
     for (const std::string& name : pass_views(pass)) {
-      const FittedView& fitted = views_.get(name, variables_);
-      step.uniforms.push_back(view_range(binding++, fitted));
+      std::span<const FittedView> views = views_.get(name, variables_);
+      if (name == pass.view && !pass.view_index.is_empty())
+        views = views.subspan(member(pass, views.size()), 1);
+      step.uniforms.push_back(view_range(binding++, views));
       if (name != pass.view) continue;
+      const FittedView& fitted = views.front();
       step.mirrors = fitted.mirrors;
-      if (pass.kind == "scene") add_casters(step, fitted, pass.state.depth_clamp);
+      if (pass.kind == PassKind::scene) add_casters(step, fitted, pass.state.depth_clamp);
     }
     plan_.steps.push_back(std::move(step));
   }
@@ -117,11 +122,19 @@ class Planner {
     step.uniforms.push_back(store_.add(kLoopBinding, values.data(), values.size() * sizeof(int32_t)));
   }
 
-  UniformRange view_range(GLuint binding, const FittedView& fitted) {
-    const auto known = view_ranges_.find(&fitted);
-    UniformRange range =
-        known != view_ranges_.end() ? known->second : store_.add(0, &fitted.data, sizeof(fitted.data));
-    view_ranges_[&fitted] = range;
+  size_t member(const PassDeclaration& pass, size_t count) const {
+    return static_cast<size_t>(whole_number(pass.view_index, variables_, 0, static_cast<int64_t>(count) - 1,
+                                            fmt::format("view_index of pass '{}'", pass.id)));
+  }
+
+  UniformRange view_range(GLuint binding, std::span<const FittedView> views) {
+    const auto [known, is_new] = view_ranges_.try_emplace({views.data(), views.size()});
+    if (is_new) {
+      std::vector<LightViewData> data;
+      for (const FittedView& view : views) data.push_back(view.data);
+      known->second = store_.add(0, data.data(), data.size() * sizeof(LightViewData));
+    }
+    UniformRange range = known->second;
     range.binding = binding;
     return range;
   }
@@ -139,26 +152,27 @@ class Planner {
     plan_.culled_triangles += total - known->triangle_count();
   }
 
-  int write_level(const PassDeclaration& pass) const {
-    constexpr int64_t kMaxLevel = 32;
-    if (pass.write_level.text.empty()) return 0;
-    return static_cast<int>(whole_number(pass.write_level, variables_, 0, kMaxLevel,
-                                         fmt::format("write_level of pass '{}'", pass.id)));
+  /// The level or layer that the pass writes; 0 where it says none.
+  int chosen(const PassDeclaration& pass, const Expression& expression, std::string_view key) const {
+    if (expression.is_empty()) return 0;
+    return static_cast<int>(whole_number(expression, variables_, 0, std::numeric_limits<int>::max(),
+                                         fmt::format("{} of pass '{}'", key, pass.id)));
   }
 
-  size_t prepared_index(const PassDeclaration& pass, int level) {
+  size_t prepared_index(const PassDeclaration& pass, const WritePlace& place) {
     const auto found = std::ranges::find_if(plan_.passes, [&](const PreparedPass& prepared) {
-      return prepared.declaration == &pass && prepared.write_level == level;
+      return prepared.declaration == &pass && prepared.place == place;
     });
     if (found != plan_.passes.end()) return static_cast<size_t>(found - plan_.passes.begin());
-    plan_.passes.push_back(prepare(pass, level));
+    plan_.passes.push_back(prepare(pass, place));
     return plan_.passes.size() - 1;
   }
 
-  PreparedPass prepare(const PassDeclaration& pass, int level) {
-    std::vector<std::string> loop_variables;
-    for (const Loop& loop : loops_) loop_variables.push_back(loop.variable);
-    PreparedPass prepared = prepare_pass(pass, level, inputs_, *plan_.targets, loop_variables, programs_);
+  PreparedPass prepare(const PassDeclaration& pass, const WritePlace& place) {
+    PassSurroundings around;
+    for (const Loop& loop : loops_) around.loop_variables.push_back(loop.variable);
+    for (const std::string& name : pass.views) around.view_counts[name] = views_.get(name, variables_).size();
+    PreparedPass prepared = prepare_pass(pass, place, inputs_, *plan_.targets, around, programs_);
     if (prepared.program) add_warnings(*prepared.program);
     if (!pass.once) prepared.label = label_index(pass.timer.empty() ? pass.id : pass.timer);
     return prepared;
@@ -193,7 +207,7 @@ class Planner {
   RunViews views_;
   ExpressionVariables variables_;
   UniformStore store_;
-  std::map<const FittedView*, UniformRange> view_ranges_;
+  std::map<std::pair<const FittedView*, size_t>, UniformRange> view_ranges_;
   std::map<std::pair<const FittedView*, bool>, std::shared_ptr<const IndexRanges>>
       casters_;  // bool: clamped depth
   std::vector<Loop> loops_;

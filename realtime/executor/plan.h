@@ -34,7 +34,7 @@ struct Plan {
   std::vector<std::string> labels;  // of timers
   std::vector<UniformRange> frame_uniforms;
   Buffer uniforms;
-  std::optional<FittedView> center_view;
+  std::vector<FittedView> center_views;   // from the light's centre: one map, or a family's
   std::optional<FittedView> sample_view;  // of the first sample, where maps are drawn from many
   std::vector<std::string> warnings;      // the GLSL compiler's
   uint64_t culled_triangles = 0, scene_pass_triangles = 0;  // over all scene passes of a frame

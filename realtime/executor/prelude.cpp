@@ -52,21 +52,48 @@ std::string uniform_blocks(const PreludeInputs& inputs) {
   return block("ParameterBlock", kParameterBinding, parameters) + block("LoopBlock", kLoopBinding, loops);
 }
 
-std::string view_blocks(const PassDeclaration& pass) {
+/// A family is an array and its number of views a macro, but for the one that the pass draws from.
+std::string view_blocks(const PreludeInputs& inputs) {
+  const PassDeclaration& pass = inputs.pass;
   std::string text;
   unsigned binding = kFirstViewBinding;
   for (const std::string& view : pass_views(pass)) {
+    const auto declared = std::ranges::find(inputs.technique.views, view, &ViewDeclaration::name);
+    const bool is_array =
+        declared != inputs.technique.views.end() && declared->is_family() && view != pass.view;
+    const std::string count = is_array ? fmt::format("[{}]", inputs.view_counts.at(view)) : "";
     text +=
-        fmt::format("layout(std140, binding = {0}) uniform ViewBlock_{1} {{ LightViewData view_{1}; }};\n",
-                    binding++, view);
+        fmt::format("layout(std140, binding = {0}) uniform ViewBlock_{1} {{ LightViewData view_{1}{2}; }};\n",
+                    binding++, view, count);
+    if (is_array) text += fmt::format("#define view_{}_count {}\n", view, inputs.view_counts.at(view));
   }
   if (!pass.view.empty()) text += fmt::format("#define VIEW view_{}\n", pass.view);
   return text;
 }
 
-bool is_compared(const Technique& technique, const std::string& name) {
+const ResourceDeclaration* declared_resource(const Technique& technique, const std::string& name) {
   const auto found = std::ranges::find(technique.resources, name, &ResourceDeclaration::name);
-  return found != technique.resources.end() && found->compare;
+  return found == technique.resources.end() ? nullptr : &*found;
+}
+
+std::string_view dimensions(TextureKind kind) {
+  switch (kind) {
+    case TextureKind::flat:
+      return "2D";
+    case TextureKind::array:
+      return "2DArray";
+    case TextureKind::cube:
+      return "Cube";
+  }
+  return {};
+}
+
+/// "usampler2DArray", "samplerCubeShadow": of a built-in when `resource` is null.
+std::string sampler_type(const ResourceDeclaration* resource, const TextureFormat& format) {
+  const bool is_compared = resource != nullptr && resource->compare;
+  return fmt::format("{}sampler{}{}", format.is_integer ? "u" : "",
+                     dimensions(resource == nullptr ? TextureKind::flat : resource->kind),
+                     is_compared ? "Shadow" : "");
 }
 
 /// The sampler of a resource that this run leaves out is not declared: a shader that reads it does not
@@ -77,13 +104,13 @@ std::string samplers(const PreludeInputs& inputs) {
     const std::string& read = inputs.pass.reads[unit];
     const TextureFormat* format = inputs.format_of(read);
     if (format == nullptr) continue;
-    const std::string_view sampler = is_compared(inputs.technique, read) ? "sampler2DShadow"
-                                     : format->is_integer                ? "usampler2D"
-                                                                         : "sampler2D";
+    const ResourceDeclaration* resource = declared_resource(inputs.technique, read);
     const std::string name = glsl_name(read);
-    text += fmt::format("layout(binding = {}) uniform {} {};\n", unit, sampler, name);
-    text += fmt::format("#define {0}_size vec4(vec2(textureSize({0}, 0)), 1.0 / vec2(textureSize({0}, 0)))\n",
-                        name);
+    text += fmt::format("layout(binding = {}) uniform {} {};\n", unit, sampler_type(resource, *format), name);
+    text += fmt::format(
+        "#define {0}_size vec4(vec2(textureSize({0}, 0).xy), 1.0 / vec2(textureSize({0}, 0).xy))\n", name);
+    if (resource != nullptr && resource->kind == TextureKind::array)
+      text += fmt::format("#define {0}_layers textureSize({0}, 0).z\n", name);
   }
   return text;
 }
@@ -109,7 +136,7 @@ std::string outputs(const PreludeInputs& inputs) {
 
 std::string vertex_prelude(const PreludeInputs& inputs) {
   return defines(inputs.technique, inputs.values) + std::string(kFrameBlockGlsl) + uniform_blocks(inputs) +
-         view_blocks(inputs.pass) + samplers(inputs);
+         view_blocks(inputs) + samplers(inputs);
 }
 
 std::string fragment_prelude(const PreludeInputs& inputs) {

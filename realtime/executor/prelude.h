@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,8 @@ struct PreludeInputs {
   const Technique& technique;
   const ParameterValues& values;
   const PassDeclaration& pass;
-  std::vector<std::string> loop_variables;  // outermost first
+  std::vector<std::string> loop_variables;    // outermost first
+  std::map<std::string, size_t> view_counts;  // of the views in pass.views
   /// Format of a resource or built-in that exists in this run, else null.
   std::function<const TextureFormat*(const std::string&)> format_of;
 };

@@ -17,17 +17,22 @@ const Target& written_target(const PassDeclaration& pass, const std::string& nam
              "give the pass the same condition");
 }
 
-void require_equal_shapes(const PassDeclaration& pass, int level, const Targets& targets) {
+void require_equal_shapes(const PassDeclaration& pass, const WritePlace& place, const Targets& targets) {
   const Texture& first = written_target(pass, pass.writes.front(), targets).drawn();
   const auto shape = [](const Texture& texture) {
     return fmt::format("{}x{} with {} samples", texture.width(), texture.height(), texture.samples());
   };
   for (const std::string& name : pass.writes) {
     const Texture& texture = written_target(pass, name, targets).drawn();
-    if (level >= texture.levels()) {
-      fail_input(fmt::format("pass '{}' writes level {} of '{}', which has {}", pass.id, level, name,
+    if (place.level >= texture.levels()) {
+      fail_input(fmt::format("pass '{}' writes level {} of '{}', which has {}", pass.id, place.level, name,
                              texture.levels()),
                  pass.where, "give the resource more 'levels'");
+    }
+    if (texture.kind() != TextureKind::flat && place.layer >= texture.layers()) {
+      fail_input(fmt::format("pass '{}' writes layer {} of '{}', which has {}", pass.id, place.layer, name,
+                             texture.layers()),
+                 pass.where, "layers are counted from 0");
     }
     if (shape(texture) == shape(first)) continue;
     fail_input(fmt::format("pass '{}' writes targets of different size: '{}' is {}, '{}' {}", pass.id,
@@ -37,7 +42,7 @@ void require_equal_shapes(const PassDeclaration& pass, int level, const Targets&
 }
 
 void attach_targets(PreparedPass& prepared, const PassDeclaration& pass, const Targets& targets) {
-  require_equal_shapes(pass, prepared.write_level, targets);
+  require_equal_shapes(pass, prepared.place, targets);
   std::vector<const Texture*> colors;
   const Texture* depth = nullptr;
   for (const std::string& name : pass.writes) {
@@ -54,7 +59,8 @@ void attach_targets(PreparedPass& prepared, const PassDeclaration& pass, const T
     prepared.resolves.push_back({Framebuffer(from, nullptr), Framebuffer(to, nullptr)});
   }
   prepared.has_depth = depth != nullptr;
-  prepared.framebuffer = Framebuffer(colors, depth, prepared.write_level);
+  prepared.framebuffer = Framebuffer(colors, depth, prepared.place.level, prepared.place.layer);
+  label_object(GL_FRAMEBUFFER, prepared.framebuffer.id(), pass.id);
 }
 
 /// What a pass reads and writes it sees one level below the one it writes.
@@ -63,26 +69,26 @@ const Texture* read_texture_of(PreparedPass& prepared, const PassDeclaration& pa
   if (target.texture->samples() > 1)
     fail_input(fmt::format("pass '{}' reads '{}', a multisampled depth", pass.id, name), pass.where);
   if (std::ranges::find(pass.writes, name) == pass.writes.end()) return target.texture;
-  if (prepared.write_level == 0)
+  if (prepared.place.level == 0)
     fail_input(fmt::format("pass '{}' reads '{}' below level 0", pass.id, name), pass.where,
                "begin with write_level 1");
   prepared.level_views.push_back(
-      std::make_unique<Texture>(Texture::view_of_level(*target.texture, prepared.write_level - 1)));
+      std::make_unique<Texture>(Texture::view_of_level(*target.texture, prepared.place.level - 1)));
   return prepared.level_views.back().get();
 }
 
 std::filesystem::path vertex_file(const PassDeclaration& pass, const RunInputs& inputs) {
   const std::filesystem::path library = inputs.shaders_folder / "lib";
-  if (pass.vertex.empty()) return library / (pass.kind == "scene" ? "light_map.vert" : "fullscreen.vert");
+  if (pass.vertex.empty())
+    return library / (pass.kind == PassKind::scene ? "light_map.vert" : "fullscreen.vert");
   return find_shader(pass.vertex, inputs.technique.folder, inputs.shaders_folder, pass.where);
 }
 
 std::shared_ptr<const Program> compile(const PassDeclaration& pass, const std::filesystem::path& vertex,
                                        const RunInputs& inputs, const Targets& targets,
-                                       std::span<const std::string> loop_variables, bool has_holes,
+                                       const PassSurroundings& around, bool has_holes,
                                        ProgramCache& programs) {
-  PreludeInputs prelude{
-      inputs.technique, inputs.values, pass, {loop_variables.begin(), loop_variables.end()}, {}};
+  PreludeInputs prelude{inputs.technique, inputs.values, pass, around.loop_variables, around.view_counts, {}};
   prelude.format_of = [&targets](const std::string& name) {
     const Target* target = targets.find(name);
     return target == nullptr ? nullptr : &target->texture->format();
@@ -101,13 +107,12 @@ std::shared_ptr<const Program> compile(const PassDeclaration& pass, const std::f
 
 }  // namespace
 
-PreparedPass prepare_pass(const PassDeclaration& pass, int write_level, const RunInputs& inputs,
-                          const Targets& targets, std::span<const std::string> loop_variables,
-                          ProgramCache& programs) {
+PreparedPass prepare_pass(const PassDeclaration& pass, const WritePlace& place, const RunInputs& inputs,
+                          const Targets& targets, const PassSurroundings& around, ProgramCache& programs) {
   PreparedPass prepared;
   prepared.declaration = &pass;
-  prepared.write_level = write_level;
-  if (pass.kind == "mipmap") {
+  prepared.place = place;
+  if (pass.kind == PassKind::mipmap) {
     for (const std::string& name : pass.writes)
       prepared.mipmaps.push_back(written_target(pass, name, targets).texture);
     return prepared;
@@ -121,10 +126,11 @@ PreparedPass prepare_pass(const PassDeclaration& pass, int write_level, const Ru
                                  &target->sampler});
   }
   const std::filesystem::path vertex = vertex_file(pass, inputs);
-  prepared.program = compile(pass, vertex, inputs, targets, loop_variables, false, programs);
-  if (pass.kind == "scene" && inputs.scene_buffers.cutouts() != nullptr)
-    prepared.cutout_program = compile(pass, vertex, inputs, targets, loop_variables, true, programs);
-  prepared.may_cull_casters = pass.kind == "scene" && !prepared.program->names_primitive_id() &&
+  prepared.program = compile(pass, vertex, inputs, targets, around, false, programs);
+  label_object(GL_PROGRAM, prepared.program->id(), pass.id);
+  if (pass.kind == PassKind::scene && inputs.scene_buffers.cutouts() != nullptr)
+    prepared.cutout_program = compile(pass, vertex, inputs, targets, around, true, programs);
+  prepared.may_cull_casters = pass.kind == PassKind::scene && !prepared.program->names_primitive_id() &&
                               vertex.parent_path() == inputs.shaders_folder / "lib";
   return prepared;
 }

@@ -5,8 +5,8 @@
 #include "realtime/executor/targets.h"
 #include "realtime/harness/program.h"
 
+#include <map>
 #include <memory>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -24,10 +24,17 @@ struct Resolve {
   Framebuffer from, to;
 };
 
-/// A pass with everything that is the same in all its iterations that write the same level.
+/// Which part of its targets a pass writes.
+struct WritePlace {
+  int level = 0;
+  int layer = 0;  // of those that have layers
+  bool operator==(const WritePlace&) const = default;
+};
+
+/// A pass with everything that is the same in all its iterations that write the same place.
 struct PreparedPass {
   const PassDeclaration* declaration = nullptr;
-  int write_level = 0;
+  WritePlace place;
   std::shared_ptr<const Program> program;
   std::shared_ptr<const Program>
       cutout_program;  // of a scene pass: the same for triangles with holes, if there are any
@@ -44,11 +51,15 @@ struct PreparedPass {
   size_t label = 0;                                   // in Plan::labels
 };
 
-/// `loop_variables`: of the loops around the pass, outermost first. Leaves `label` at 0. Error{input} for
-/// targets that are left out or differ in size, for levels they do not have, and for shaders that do not
-/// compile.
-PreparedPass prepare_pass(const PassDeclaration& pass, int write_level, const RunInputs& inputs,
-                          const Targets& targets, std::span<const std::string> loop_variables,
-                          ProgramCache& programs);
+/// What a pass's shaders see besides the technique's own things.
+struct PassSurroundings {
+  std::vector<std::string> loop_variables;    // of the loops around it, outermost first
+  std::map<std::string, size_t> view_counts;  // of the views it lists: 1, or a family's
+};
+
+/// Leaves `label` at 0. Error{input} for targets that are left out or differ in size, for levels and layers they do not
+/// have, and for shaders that do not compile.
+PreparedPass prepare_pass(const PassDeclaration& pass, const WritePlace& place, const RunInputs& inputs,
+                          const Targets& targets, const PassSurroundings& around, ProgramCache& programs);
 
 }  // namespace umbrameter

@@ -28,16 +28,9 @@ struct Receivers {
   glm::vec3 p_world(size_t pixel) const { return {x[pixel], y[pixel], z[pixel]}; }
 };
 
-bool is_outside(const LightView& view, const glm::dvec3& p_world) {
-  const glm::dvec3 p = lateral_and_distance(view, p_world);
-  if (!view.is_orthographic && p.z <= 0.0) return true;
-  const glm::dvec4 bounds(view.lateral_bounds);
-  return p.x < bounds.x || p.y < bounds.y || p.x > bounds.z || p.y > bounds.w;
-}
-
-}  // namespace
-
-std::vector<ReceiverTile> receiver_tiles(const Image& gbuffer) {
+/// Of those receivers that `takes` accepts.
+template <class Predicate>
+std::vector<ReceiverTile> tiles_of_receivers(const Image& gbuffer, const Predicate& takes) {
   const Receivers receivers(gbuffer);
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   const auto tiles_of = [](int px) {
@@ -48,7 +41,7 @@ std::vector<ReceiverTile> receiver_tiles(const Image& gbuffer) {
                                   ReceiverTile{glm::vec3(kInfinity), glm::vec3(-kInfinity)});
   const auto width = static_cast<size_t>(gbuffer.width);
   for (size_t pixel = 0; pixel < gbuffer.pixel_count(); ++pixel) {
-    if (!receivers.is_receiver(pixel)) continue;
+    if (!receivers.is_receiver(pixel) || !takes(receivers.p_world(pixel))) continue;
     ReceiverTile& tile = tiles[pixel / width / kReceiverTilePx * columns + pixel % width / kReceiverTilePx];
     tile.min_world = glm::min(tile.min_world, receivers.p_world(pixel));
     tile.max_world = glm::max(tile.max_world, receivers.p_world(pixel));
@@ -57,14 +50,43 @@ std::vector<ReceiverTile> receiver_tiles(const Image& gbuffer) {
   return tiles;
 }
 
-double share_outside(const Image& gbuffer, const LightView& view) {
+}  // namespace
+
+std::vector<ReceiverTile> receiver_tiles(const Image& gbuffer) {
+  return tiles_of_receivers(gbuffer, [](const glm::vec3&) { return true; });
+}
+
+std::vector<ReceiverTile> receiver_tiles(const Image& gbuffer, const Camera& camera,
+                                         const CameraSlice& slice) {
+  const glm::dvec4 axis = camera_axis(camera);
+  return tiles_of_receivers(gbuffer, [&](const glm::vec3& p_world) {
+    const double along_axis = glm::dot(axis, glm::dvec4(p_world, 1.0));
+    return along_axis >= slice.near_world && along_axis <= slice.far_world;
+  });
+}
+
+DistanceRange receiver_range(const Image& gbuffer, const Camera& camera) {
+  const Receivers receivers(gbuffer);
+  const glm::dvec4 axis = camera_axis(camera);
+  DistanceRange range{std::numeric_limits<double>::infinity(), 0.0};
+  for (size_t pixel = 0; pixel < gbuffer.pixel_count(); ++pixel) {
+    if (!receivers.is_receiver(pixel)) continue;
+    const double along_axis = glm::dot(axis, glm::dvec4(receivers.p_world(pixel), 1.0));
+    range = {std::min(range.near_world, along_axis), std::max(range.far_world, along_axis)};
+  }
+  if (range.near_world > range.far_world) return {camera.near_world, 2.0 * camera.near_world};
+  return {std::max(range.near_world, camera.near_world), std::max(range.far_world, camera.near_world)};
+}
+
+double share_outside(const Image& gbuffer, std::span<const LightView> views) {
   const Receivers receivers(gbuffer);
   size_t count = 0;
   size_t outside = 0;
   for (size_t pixel = 0; pixel < gbuffer.pixel_count(); ++pixel) {
     if (!receivers.is_receiver(pixel)) continue;
     ++count;
-    if (is_outside(view, glm::dvec3(receivers.p_world(pixel)))) ++outside;
+    const glm::dvec3 p_world(receivers.p_world(pixel));
+    if (std::ranges::none_of(views, [&](const LightView& view) { return covers(view, p_world); })) ++outside;
   }
   return count == 0 ? 0.0 : static_cast<double>(outside) / static_cast<double>(count);
 }

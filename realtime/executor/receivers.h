@@ -15,8 +15,15 @@ inline constexpr int kReceiverTilePx = 16;
 /// A box around the receivers of each 16x16 px tile that has any.
 std::vector<ReceiverTile> receiver_tiles(const Image& gbuffer);
 
-/// Share of the receivers that lie outside what `view` covers, in [0,1]; 0 without receivers.
-double share_outside(const Image& gbuffer, const LightView& view);
+/// The same of the receivers in a slice of the camera's frustum.
+std::vector<ReceiverTile> receiver_tiles(const Image& gbuffer, const Camera& camera,
+                                         const CameraSlice& slice);
+
+/// Nearest and farthest distance of the receivers along the camera's axis; twice its near plane without receivers.
+DistanceRange receiver_range(const Image& gbuffer, const Camera& camera);
+
+/// Share of the receivers that none of `views` covers, in [0,1]; 0 without receivers.
+double share_outside(const Image& gbuffer, std::span<const LightView> views);
 
 /// The plane on which most receivers lie, coplanar triangles taken together: unit normal as the G-buffer has it (towards
 /// the camera) and w with n . p + w = 0. (0, 1, 0, 0) without receivers.

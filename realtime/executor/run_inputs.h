@@ -2,9 +2,10 @@
 #pragma once
 // What one run of a technique starts from, and the numbers its expressions see.
 
+#include "core/image.h"
+#include "realtime/graph/expression.h"
 #include "realtime/harness/gbuffer.h"
 #include "realtime/harness/scene_buffers.h"
-#include "realtime/manifest/expression.h"
 #include "realtime/manifest/technique.h"
 #include "realtime/views/light_view.h"
 #include "scenes/scene.h"
@@ -24,19 +25,21 @@ struct RunInputs {
   const GBuffer& gbuffer;  // also says the screen's size
   std::span<const ReceiverTile> receivers;
   std::span<const CasterCluster> casters;  // none: every triangle is drawn into every map
+  const Image& picture;                    // the G-buffer read back, for views that cover a part of it
+  DistanceRange receiver_range;            // along the camera's axis
   glm::dvec4 receiver_plane_world{0, 1, 0, 0};
   uint64_t seed = 1;
   std::filesystem::path shaders_folder;
 };
 
-/// Parameters, choices, screen.* and light.*: what expressions may use outside loops.
+/// Parameters, choices, built-in variables and the technique's own values: what expressions may use outside loops.
 ExpressionVariables run_variables(const RunInputs& inputs);
 
-/// Whether `condition` (may be empty) holds.
-bool holds(const std::string& condition, const ExpressionVariables& variables, const FileLocation& where);
+/// Whether `condition` holds, as one that was left out does.
+bool holds(const Expression& condition, const ExpressionVariables& variables);
 
 /// The value of `expression` as a whole number from `min` to `max`; Error{input} naming `what` otherwise.
-int64_t whole_number(const ExpressionText& expression, const ExpressionVariables& variables, int64_t min,
+int64_t whole_number(const Expression& expression, const ExpressionVariables& variables, int64_t min,
                      int64_t max, std::string_view what);
 
 }  // namespace umbrameter

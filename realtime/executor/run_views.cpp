@@ -2,6 +2,7 @@
 #include "realtime/executor/run_views.h"
 
 #include "core/sampling/sobol.h"
+#include "realtime/executor/receivers.h"
 #include "realtime/harness/frame_uniforms.h"
 #include "realtime/views/camera_tiles.h"
 
@@ -14,14 +15,43 @@
 namespace umbrameter {
 namespace {
 
-constexpr int64_t kCenter = -1;
+constexpr int64_t kMaxViews = 64;
 
 LightFit chosen_fit(const ViewDeclaration& declaration, const ParameterValues& values) {
   const auto parameter = values.find(declaration.fit);
-  const std::string fit = parameter == values.end() ? declaration.fit : to_text(parameter->second);
-  const auto found = std::ranges::find(light_fits(), fit);
-  UMBRAMETER_ASSERT(found != light_fits().end(), "fit {}", fit);
-  return static_cast<LightFit>(found - light_fits().begin());
+  return find_light_fit(parameter == values.end() ? declaration.fit : to_text(parameter->second));
+}
+
+const ViewDeclaration& declared(const Technique& technique, const std::string& name) {
+  const auto found = std::ranges::find(technique.views, name, &ViewDeclaration::name);
+  UMBRAMETER_ASSERT(found != technique.views.end(), "view {}", name);
+  return *found;
+}
+
+int64_t index_of(const ViewDeclaration& declaration, const ExpressionVariables& variables) {
+  constexpr int64_t kLastFace = 5;
+  switch (declaration.from) {
+    case ViewOrigin::light_center:
+      return 0;
+    case ViewOrigin::light_sample:
+      return whole_number(declaration.index, variables, 0, std::numeric_limits<uint32_t>::max(),
+                          fmt::format("light sample of view '{}'", declaration.name));
+    case ViewOrigin::light_face:
+      return whole_number(declaration.index, variables, 0, kLastFace,
+                          fmt::format("light face of view '{}'", declaration.name));
+  }
+  return 0;
+}
+
+std::optional<CameraSlice> slice_of(const ViewDeclaration& declaration,
+                                    const ExpressionVariables& variables) {
+  if (!declaration.slice_world) return std::nullopt;
+  const auto& [from, to] = *declaration.slice_world;
+  const CameraSlice slice{from.evaluate(variables), to.evaluate(variables)};
+  if (slice.near_world >= 0.0 && slice.near_world < slice.far_world) return slice;
+  fail_input(fmt::format("view '{}' covers a slice from {} to {}", declaration.name, slice.near_world,
+                         slice.far_world),
+             from.where(), "it must begin at 0 or later and end after that");
 }
 
 /// Clip space is left-handed as seen (x right, y up, depth away), so a view mirrors unless its rotation and
@@ -38,24 +68,41 @@ RunViews::RunViews(const RunInputs& inputs)
       sample_seed_(
           hash_combine(static_cast<uint32_t>(inputs.seed), static_cast<uint32_t>(inputs.seed >> 32))) {}
 
-const FittedView& RunViews::get(const std::string& name, const ExpressionVariables& variables) {
-  constexpr int64_t kMaxTexels = 1 << 20;
-  const auto& views = inputs_.technique.views;
-  const auto declaration = std::ranges::find(views, name, &ViewDeclaration::name);
-  UMBRAMETER_ASSERT(declaration != views.end(), "view {}", name);
-  const ExpressionText size{declaration->size, declaration->where};
-  const auto texels =
-      static_cast<int>(whole_number(size, variables, 1, kMaxTexels, fmt::format("size of view '{}'", name)));
-  const int64_t sample =
-      declaration->sample.text.empty()
-          ? kCenter
-          : whole_number(declaration->sample, variables, 0, std::numeric_limits<uint32_t>::max(),
-                         fmt::format("light sample of view '{}'", name));
-  const auto key = std::tuple(name, sample, texels);
+std::span<const FittedView> RunViews::get(const std::string& name, const ExpressionVariables& variables) {
+  const ViewDeclaration& declaration = declared(inputs_.technique, name);
+  const Settings settings = declaration.is_family() ? Settings{} : settings_of(declaration, variables);
+  const auto key = std::tuple(name, settings.index, settings.texels);
   const auto found = fitted_.find(key);
   if (found != fitted_.end()) return found->second;
-  const bool snaps = holds(declaration->snap, variables, declaration->where) && !declaration->snap.empty();
-  return fitted_.emplace(key, fit(*declaration, sample, texels, snaps)).first->second;
+  std::vector<FittedView> views;
+  if (declaration.is_family()) {
+    views = fit_family(declaration);
+  } else {
+    views.push_back(fit(declaration, settings));
+  }
+  return fitted_.emplace(key, std::move(views)).first->second;
+}
+
+RunViews::Settings RunViews::settings_of(const ViewDeclaration& declaration,
+                                         const ExpressionVariables& variables) const {
+  constexpr int64_t kMaxTexels = 1 << 20;
+  return {.index = index_of(declaration, variables),
+          .texels = static_cast<int>(whole_number(declaration.size, variables, 1, kMaxTexels,
+                                                  fmt::format("size of view '{}'", declaration.name))),
+          .snaps = !declaration.snap.is_empty() && holds(declaration.snap, variables),
+          .slice = slice_of(declaration, variables)};
+}
+
+std::vector<FittedView> RunViews::fit_family(const ViewDeclaration& declaration) {
+  ExpressionVariables variables = run_variables(inputs_);
+  const int64_t count = whole_number(declaration.count, variables, 1, kMaxViews,
+                                     fmt::format("count of view '{}'", declaration.name));
+  std::vector<FittedView> views;
+  for (int64_t index = 0; index < count; ++index) {
+    variables[declaration.variable] = static_cast<double>(index);
+    views.push_back(fit(declaration, settings_of(declaration, variables)));
+  }
+  return views;
 }
 
 std::span<const ReceiverTile> RunViews::covered(LightFit fit) {
@@ -65,31 +112,56 @@ std::span<const ReceiverTile> RunViews::covered(LightFit fit) {
   return camera_tiles_;
 }
 
-FittedView RunViews::fit(const ViewDeclaration& declaration, int64_t sample, int texels_a_side, bool snaps) {
-  const LightFit chosen = chosen_fit(declaration, inputs_.values);
+FittedView RunViews::fit(const ViewDeclaration& declaration, const Settings& settings) {
   FittedView fitted;
-  if (sample == kCenter) {
-    fitted.view = fit_center_view(inputs_.scene, covered(chosen), chosen);
-  } else {
-    const glm::vec2 uv = scrambled_sobol(static_cast<uint32_t>(sample), sample_seed_);
-    fitted.view = fit_sample_view(inputs_.scene, covered(chosen), chosen, glm::dvec2(uv));
-  }
-  if (snaps) fitted.view = snapped(fitted.view, texels_a_side);
-  fitted.data = make_light_view_data(fitted.view, texels_a_side);
+  fitted.view = light_view(declaration, settings);
+  if (settings.snaps) fitted.view = snapped(fitted.view, settings.texels);
+  fitted.data = make_light_view_data(fitted.view, settings.texels);
   fitted.mirrors = reverses_winding(fitted.view);
   return fitted;
 }
 
-std::optional<FittedView> RunViews::center() const {
-  for (const auto& [key, fitted] : fitted_) {
-    if (std::get<1>(key) == kCenter) return fitted;
+LightView RunViews::light_view(const ViewDeclaration& declaration, const Settings& settings) {
+  const Scene& scene = inputs_.scene;
+  switch (declaration.from) {
+    case ViewOrigin::light_center: {
+      const LightFit chosen = chosen_fit(declaration, inputs_.values);
+      if (settings.slice) return slice_view(chosen, *settings.slice);
+      return fit_center_view(scene, covered(chosen), chosen);
+    }
+    case ViewOrigin::light_sample: {
+      const LightFit chosen = chosen_fit(declaration, inputs_.values);
+      const glm::vec2 uv = scrambled_sobol(static_cast<uint32_t>(settings.index), sample_seed_);
+      return fit_sample_view(scene, covered(chosen), chosen, glm::dvec2(uv));
+    }
+    case ViewOrigin::light_face:
+      if (!cube_range_) cube_range_ = cube_range(scene);
+      return fit_face_view(scene, static_cast<int>(settings.index), *cube_range_);
   }
-  return std::nullopt;
+  return {};
+}
+
+LightView RunViews::slice_view(LightFit fit, const CameraSlice& slice) const {
+  const std::vector<ReceiverTile> receivers = receiver_tiles(inputs_.picture, inputs_.scene.camera, slice);
+  return fit_slice_view(inputs_.scene, {inputs_.gbuffer.width(), inputs_.gbuffer.height()}, receivers, fit,
+                        slice);
+}
+
+std::vector<FittedView> RunViews::center() const {
+  std::vector<FittedView> views;
+  const std::string* first = nullptr;
+  for (const auto& [key, fitted] : fitted_) {
+    const std::string& name = std::get<0>(key);
+    if (declared(inputs_.technique, name).from == ViewOrigin::light_sample) continue;
+    if (first == nullptr) first = &name;
+    if (name == *first) views.insert(views.end(), fitted.begin(), fitted.end());
+  }
+  return views;
 }
 
 std::optional<FittedView> RunViews::first_sample() const {
   for (const auto& [key, fitted] : fitted_) {
-    if (std::get<1>(key) != kCenter) return fitted;
+    if (declared(inputs_.technique, std::get<0>(key)).from == ViewOrigin::light_sample) return fitted.front();
   }
   return std::nullopt;
 }

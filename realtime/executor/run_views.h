@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <tuple>
+#include <vector>
 
 namespace umbrameter {
 
@@ -22,22 +23,35 @@ class RunViews {
  public:
   explicit RunViews(const RunInputs& inputs);
 
-  /// The view named `name`, for the loop variables in `variables`. The reference stays valid.
-  const FittedView& get(const std::string& name, const ExpressionVariables& variables);
-  /// The view from the light's centre, when a pass used one.
-  std::optional<FittedView> center() const;
+  /// The view named `name`, for the loop variables in `variables`: one, or all of a family. The span stays valid.
+  std::span<const FittedView> get(const std::string& name, const ExpressionVariables& variables);
+  /// The first name's views from the light's centre, when passes used any.
+  std::vector<FittedView> center() const;
   /// The first view from a sample of the light, when a pass used one.
   std::optional<FittedView> first_sample() const;
 
  private:
-  FittedView fit(const ViewDeclaration& declaration, int64_t sample, int texels_a_side, bool snaps);
+  /// What tells one fit of a view from another.
+  struct Settings {
+    int64_t index = 0;  // of light.sample or light.face
+    int texels = 0;
+    bool snaps = false;
+    std::optional<CameraSlice> slice;
+  };
+
+  Settings settings_of(const ViewDeclaration& declaration, const ExpressionVariables& variables) const;
+  std::vector<FittedView> fit_family(const ViewDeclaration& declaration);
+  FittedView fit(const ViewDeclaration& declaration, const Settings& settings);
+  LightView light_view(const ViewDeclaration& declaration, const Settings& settings);
+  LightView slice_view(LightFit fit, const CameraSlice& slice) const;
   std::span<const ReceiverTile> covered(LightFit fit);
 
   const RunInputs& inputs_;
   std::vector<ReceiverTile> camera_tiles_;
+  std::optional<DistanceRange> cube_range_;
   uint32_t sample_seed_;
-  std::map<std::tuple<std::string, int64_t, int>, FittedView>
-      fitted_;  // by name, sample (-1: centre), texels
+  std::map<std::tuple<std::string, int64_t, int>, std::vector<FittedView>>
+      fitted_;  // by name, and of single views by index and texels
 };
 
 }  // namespace umbrameter

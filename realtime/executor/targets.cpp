@@ -16,19 +16,31 @@ glm::vec4 border_color(const std::vector<double>& border) {
 }
 
 /// A count that is 1 unless said.
-int count(const ResourceDeclaration& resource, const ExpressionText& expression,
+int count(const ResourceDeclaration& resource, const Expression& expression,
           const ExpressionVariables& variables, std::string_view which) {
   constexpr int64_t kMost = 64;
-  if (expression.text.empty()) return 1;
+  if (expression.is_empty()) return 1;
   const auto what = fmt::format("{} of resource '{}'", which, resource.name);
   return static_cast<int>(whole_number(expression, variables, 1, kMost, what));
 }
 
-int side(const ResourceDeclaration& resource, const ExpressionText& expression,
+int side(const ResourceDeclaration& resource, const Expression& expression,
          const ExpressionVariables& variables, std::string_view which) {
   const auto what = fmt::format("{} of resource '{}'", which, resource.name);
   // The GL's own limit is checked where the texture is made.
   return static_cast<int>(whole_number(expression, variables, 1, std::numeric_limits<int>::max(), what));
+}
+
+int layer_count(const ResourceDeclaration& resource, const ExpressionVariables& variables) {
+  switch (resource.kind) {
+    case TextureKind::flat:
+      return 1;
+    case TextureKind::array:
+      return side(resource, resource.layers, variables, "layers");
+    case TextureKind::cube:
+      return 6;
+  }
+  return 1;
 }
 
 }  // namespace
@@ -37,7 +49,7 @@ Targets::Targets(const RunInputs& inputs, const ExpressionVariables& variables)
     : visibility_(find_texture_format("r32f"), inputs.gbuffer.width(), inputs.gbuffer.height(),
                   std::string(kVisibility)) {
   const auto add_screen = [this](const std::string& name, const Texture& texture) {
-    targets_[name] = {&texture, Sampler({.linear = false, .wrap = "clamp"}), nullptr};
+    targets_[name] = {&texture, Sampler({.wrap = TextureWrap::clamp}), nullptr};
   };
   add_screen(std::string(kVisibility), visibility_);
   add_screen("gbuffer.position", inputs.gbuffer.position);
@@ -45,7 +57,7 @@ Targets::Targets(const RunInputs& inputs, const ExpressionVariables& variables)
   add_screen("gbuffer.shading_normal", inputs.gbuffer.shading_normal);
   add_screen("gbuffer.primitive_id", inputs.gbuffer.primitive_id);
   for (const ResourceDeclaration& resource : inputs.technique.resources) {
-    if (holds(resource.condition, variables, resource.where)) add_resource(resource, variables);
+    if (holds(resource.condition, variables)) add_resource(resource, variables);
   }
 }
 
@@ -55,18 +67,21 @@ void Targets::add_resource(const ResourceDeclaration& resource, const Expression
   const int height = side(resource, resource.height, variables, "height");
   const int levels = count(resource, resource.levels, variables, "levels");
   const int samples = count(resource, resource.samples, variables, "samples");
-  const FileLocation& where = resource.width.where;
+  const int layers = layer_count(resource, variables);
+  const FileLocation& where = resource.width.where();
   const auto make = [&](auto& textures, const TextureShape& shape) {
     Texture texture(format, width, height, resource.name, where, shape);
     return &textures.insert_or_assign(resource.name, std::move(texture)).first->second;
   };
   Target target;
-  if (samples > 1) target.multisampled = make(multisampled_, {.levels = levels, .samples = samples});
+  const TextureShape drawn{.levels = levels, .samples = samples, .kind = resource.kind, .layers = layers};
+  if (samples > 1) target.multisampled = make(multisampled_, drawn);
   const bool is_resolved = samples == 1 || !format.is_depth;  // several depths have no mean
-  target.texture = is_resolved ? make(owned_, {.levels = levels}) : target.multisampled;
+  target.texture =
+      is_resolved ? make(owned_, {.levels = levels, .samples = 1, .kind = resource.kind, .layers = layers})
+                  : target.multisampled;
   target.sampler = Sampler(
-      {.linear = resource.filter != "nearest",
-       .mipmap = resource.filter == "mipmap",
+      {.filter = resource.filter,
        .anisotropy = static_cast<double>(count(resource, resource.anisotropy, variables, "anisotropy")),
        .wrap = resource.wrap,
        .border = border_color(resource.border),

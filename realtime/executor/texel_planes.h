@@ -6,11 +6,14 @@
 #include "core/parameters.h"
 #include "realtime/executor/run_views.h"
 
+#include <span>
+
 namespace umbrameter {
 
 /// Adds texel.x, texel.y and texel_world (core/renderer.h) from `image`'s position and primitive_id. The wider
-/// side of a texel counts, as in shaders/lib/spaces.glsl. 0 behind a perspective view's light, too.
-void add_texel_planes(const FittedView& fitted, Image& image);
+/// side of a texel counts, as in shaders/lib/spaces.glsl. Of several maps the first that covers the point counts, and
+/// none where none does; a single map goes on beyond its border. 0 behind a perspective view's light, too.
+void add_texel_planes(std::span<const FittedView> maps, Image& image);
 
 /// Adds bias_world, how far a technique moves its comparison towards the light at most, if `parameters` has manual
 /// bias_world, bias_texels or normal_offset_texels (techniques/shared/bias_offsets.toml). Needs texel_world.

@@ -132,6 +132,7 @@ GlContext::GlContext(const std::string& device) {
   make_current();
   install_debug_callback(state_->log);
   glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+  glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
   state_->limits = query_limits();
   check_gl_errors("opening the OpenGL context");
 }

@@ -41,6 +41,9 @@ LightViewData make_light_view_data(const LightView& view, int texels_a_side) {
   data.lateral_bounds = view.lateral_bounds;
   data.depth_range = glm::vec4(view.near_world, view.far_world, view.is_orthographic ? 1.0f : 0.0f,
                                static_cast<float>(texels_a_side));
+  if (view.slice)
+    data.slice_world = {static_cast<float>(view.slice->near_world), static_cast<float>(view.slice->far_world),
+                        0, 0};
   return data;
 }
 

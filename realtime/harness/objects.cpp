@@ -31,11 +31,40 @@ void destroy_program(GLuint id) {
 
 namespace {
 
-GLenum wrap_mode(std::string_view wrap) {
-  if (wrap == "border") return GL_CLAMP_TO_BORDER;
-  if (wrap == "clamp") return GL_CLAMP_TO_EDGE;
-  UMBRAMETER_ASSERT(wrap == "repeat", "wrap is '{}'", wrap);
-  return GL_REPEAT;
+GLint wrap_mode(TextureWrap wrap) {
+  switch (wrap) {
+    case TextureWrap::border:
+      return GL_CLAMP_TO_BORDER;
+    case TextureWrap::clamp:
+      return GL_CLAMP_TO_EDGE;
+    case TextureWrap::repeat:
+      return GL_REPEAT;
+  }
+  return GL_NONE;
+}
+
+void attach(GLuint framebuffer, GLenum attachment, const Texture& texture, int level, int layer) {
+  if (texture.kind() == TextureKind::flat) {
+    glNamedFramebufferTexture(framebuffer, attachment, texture.id(), level);
+  } else {
+    glNamedFramebufferTextureLayer(framebuffer, attachment, texture.id(), level, layer);
+  }
+}
+
+struct Filters {
+  GLint minified, magnified;
+};
+
+Filters filters(TextureFilter filter) {
+  switch (filter) {
+    case TextureFilter::nearest:
+      return {GL_NEAREST, GL_NEAREST};
+    case TextureFilter::linear:
+      return {GL_LINEAR, GL_LINEAR};
+    case TextureFilter::mipmap:
+      return {GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR};
+  }
+  return {};
 }
 
 }  // namespace
@@ -68,14 +97,12 @@ Sampler::Sampler(const SamplerSettings& settings) {
   GLuint id = 0;
   glCreateSamplers(1, &id);
   handle_ = GlHandle<destroy_sampler>(id);
-  const auto set = [id](GLenum name, GLenum value) {
-    glSamplerParameteri(id, name, static_cast<GLint>(value));
-  };
-  const GLenum flat = settings.linear ? GL_LINEAR : GL_NEAREST;
-  set(GL_TEXTURE_MIN_FILTER, settings.mipmap ? GL_LINEAR_MIPMAP_LINEAR : flat);
-  set(GL_TEXTURE_MAG_FILTER, settings.linear ? GL_LINEAR : GL_NEAREST);
+  const auto set = [id](GLenum name, GLint value) { glSamplerParameteri(id, name, value); };
+  set(GL_TEXTURE_MIN_FILTER, filters(settings.filter).minified);
+  set(GL_TEXTURE_MAG_FILTER, filters(settings.filter).magnified);
   set(GL_TEXTURE_WRAP_S, wrap_mode(settings.wrap));
   set(GL_TEXTURE_WRAP_T, wrap_mode(settings.wrap));
+  set(GL_TEXTURE_WRAP_R, wrap_mode(settings.wrap));
   glSamplerParameterfv(id, GL_TEXTURE_BORDER_COLOR, &settings.border.x);
   if (settings.anisotropy > 1.0)
     glSamplerParameterf(id, GL_TEXTURE_MAX_ANISOTROPY_EXT, static_cast<float>(settings.anisotropy));
@@ -89,7 +116,7 @@ void bind_texture(GLuint unit, const Texture& texture, const Sampler& sampler) {
   glBindSampler(unit, sampler.id());
 }
 
-Framebuffer::Framebuffer(std::span<const Texture* const> colors, const Texture* depth, int level) {
+Framebuffer::Framebuffer(std::span<const Texture* const> colors, const Texture* depth, int level, int layer) {
   UMBRAMETER_ASSERT(!colors.empty() || depth != nullptr, "{} attachments", colors.size());
   const Texture& first = colors.empty() ? *depth : *colors.front();
   width_ = level_side(first.width(), level);
@@ -102,7 +129,7 @@ Framebuffer::Framebuffer(std::span<const Texture* const> colors, const Texture* 
     UMBRAMETER_ASSERT(color->width() == first.width() && color->height() == first.height(),
                       "{}x{} beside {}x{}", color->width(), color->height(), first.width(), first.height());
     const GLenum attachment = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(draw_buffers.size());
-    glNamedFramebufferTexture(id, attachment, color->id(), level);
+    attach(id, attachment, *color, level, layer);
     draw_buffers.push_back(attachment);
   }
   if (draw_buffers.empty()) {
@@ -110,7 +137,7 @@ Framebuffer::Framebuffer(std::span<const Texture* const> colors, const Texture* 
   } else {
     glNamedFramebufferDrawBuffers(id, static_cast<GLsizei>(draw_buffers.size()), draw_buffers.data());
   }
-  if (depth != nullptr) glNamedFramebufferTexture(id, GL_DEPTH_ATTACHMENT, depth->id(), level);
+  if (depth != nullptr) attach(id, GL_DEPTH_ATTACHMENT, *depth, level, layer);
   const GLenum status = glCheckNamedFramebufferStatus(id, GL_DRAW_FRAMEBUFFER);
   UMBRAMETER_ASSERT(status == GL_FRAMEBUFFER_COMPLETE, "framebuffer status 0x{:x}", status);
 }
@@ -118,6 +145,12 @@ Framebuffer::Framebuffer(std::span<const Texture* const> colors, const Texture* 
 void Framebuffer::bind() const {
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, id());
   glViewport(0, 0, width_, height_);
+}
+
+void label_object(GLenum kind, GLuint id, std::string_view name) {
+  constexpr size_t kMostBytes = 255;  // the least that GL_MAX_LABEL_LENGTH may be is 256, with the end
+  const std::string_view shown = name.substr(0, kMostBytes);
+  if (!shown.empty()) glObjectLabel(kind, id, static_cast<GLsizei>(shown.size()), shown.data());
 }
 
 VertexArray make_empty_vertex_array() {

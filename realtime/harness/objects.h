@@ -4,6 +4,7 @@
 // dies.
 
 #include "core/error.h"
+#include "realtime/graph/texture.h"
 
 #include <epoxy/gl.h>
 #include <glm/vec4.hpp>
@@ -67,9 +68,11 @@ const TextureFormat& find_texture_format(std::string_view name, const FileLocati
 struct TextureShape {
   int levels = 1;
   int samples = 1;  // above 1: multisampled, not to be read by shaders
+  TextureKind kind = TextureKind::flat;
+  int layers = 1;  // of an array; 6 of a cube
 };
 
-/// A 2D texture, contents undefined until written.
+/// A texture, contents undefined until written.
 class Texture {
  public:
   Texture() = default;
@@ -77,7 +80,7 @@ class Texture {
   /// Error{environment} when the GPU is out of memory.
   Texture(const TextureFormat& format, int width, int height, const std::string& name = {},
           const FileLocation& where = {}, const TextureShape& shape = {});
-  /// One level of `texture` as a texture of its own; shares its memory and must not outlive it.
+  /// One level of `texture`, all its layers, as a texture of its own; shares its memory and must not outlive it.
   static Texture view_of_level(const Texture& texture, int level);
 
   GLuint id() const { return handle_.id(); }
@@ -86,7 +89,9 @@ class Texture {
   int height() const { return height_; }
   int levels() const { return shape_.levels; }
   int samples() const { return shape_.samples; }
-  /// Of all levels and samples.
+  TextureKind kind() const { return shape_.kind; }
+  int layers() const { return shape_.layers; }
+  /// Of all levels, layers and samples.
   size_t bytes() const;
 
  private:
@@ -106,10 +111,9 @@ int full_chain_levels(int width, int height);
 void clear_texture(const Texture& texture, std::span<const double> value);
 
 struct SamplerSettings {
-  bool linear = false;
-  bool mipmap = false;               // linear between levels too
-  double anisotropy = 1.0;           // samples along the longer axis, at most
-  std::string_view wrap = "border";  // border | clamp | repeat
+  TextureFilter filter = TextureFilter::nearest;
+  double anisotropy = 1.0;  // samples along the longer axis, at most
+  TextureWrap wrap = TextureWrap::border;
   glm::vec4 border{0.0f};
   bool compare = false;  // GL_GEQUAL: receiver depth >= stored depth (reversed) gives 1
 };
@@ -153,8 +157,8 @@ class Framebuffer {
  public:
   Framebuffer() = default;
   /// Colour attachment k = colors[k]; `depth` may be null. All of one size. Error{internal} when incomplete.
-  /// Draws into `level` of each.
-  Framebuffer(std::span<const Texture* const> colors, const Texture* depth, int level = 0);
+  /// Draws into `level` of each, and `layer` of those that have layers.
+  Framebuffer(std::span<const Texture* const> colors, const Texture* depth, int level = 0, int layer = 0);
   /// Binds it for drawing and sets the viewport to its size.
   void bind() const;
   GLuint id() const { return handle_.id(); }
@@ -171,6 +175,9 @@ using VertexArray = GlHandle<destroy_vertex_array>;
 using Query = GlHandle<destroy_query>;
 
 /// A vertex array without attributes, for shaders that pull or make up their vertices.
+/// What graphics debuggers show an object as; GL cuts long names.
+void label_object(GLenum kind, GLuint id, std::string_view name);
+
 VertexArray make_empty_vertex_array();
 Query make_query(GLenum target);
 

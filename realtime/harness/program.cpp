@@ -17,8 +17,15 @@ void destroy_shader(GLuint id) {
 using Shader = GlHandle<destroy_shader>;
 
 GLenum gl_stage(ShaderStage stage) {
-  if (stage == ShaderStage::vertex) return GL_VERTEX_SHADER;
-  return stage == ShaderStage::fragment ? GL_FRAGMENT_SHADER : GL_COMPUTE_SHADER;
+  switch (stage) {
+    case ShaderStage::vertex:
+      return GL_VERTEX_SHADER;
+    case ShaderStage::fragment:
+      return GL_FRAGMENT_SHADER;
+    case ShaderStage::compute:
+      return GL_COMPUTE_SHADER;
+  }
+  return GL_NONE;
 }
 
 std::string shader_log(GLuint shader) {
@@ -119,6 +126,7 @@ Program::Program(std::span<const ShaderFile> stages, std::span<const ShaderSourc
   std::vector<Shader> shaders;
   for (size_t i = 0; i < stages.size(); ++i) {
     shaders.push_back(compile(stages[i], sources[i], warnings_));
+    texts_.push_back({stages[i].stage, sources[i].text});
     names_primitive_id_ |= sources[i].text.find("gl_PrimitiveID") != std::string::npos;
     dependencies_.insert(dependencies_.end(), sources[i].dependencies.begin(), sources[i].dependencies.end());
   }
@@ -127,6 +135,18 @@ Program::Program(std::span<const ShaderFile> stages, std::span<const ShaderSourc
   glLinkProgram(id());
   for (const Shader& shader : shaders) glDetachShader(id(), shader.id());
   require_linked(id(), stages);
+}
+
+std::string_view to_text(ShaderStage stage) {
+  switch (stage) {
+    case ShaderStage::vertex:
+      return "vertex";
+    case ShaderStage::fragment:
+      return "fragment";
+    case ShaderStage::compute:
+      return "compute";
+  }
+  return {};
 }
 
 ProgramCache::ProgramCache(std::vector<std::filesystem::path> search_folders)

@@ -15,11 +15,18 @@
 namespace umbrameter {
 
 enum class ShaderStage { vertex, fragment, compute };
+/// "vertex", "fragment", "compute".
+std::string_view to_text(ShaderStage stage);
 
 struct ShaderFile {
   ShaderStage stage = ShaderStage::vertex;
   std::filesystem::path file;
   std::string prelude;  // put between #version and the file; may itself #include
+};
+
+struct StageText {
+  ShaderStage stage = ShaderStage::vertex;
+  std::string text;
 };
 
 class Program {
@@ -32,6 +39,8 @@ class Program {
   const std::vector<std::filesystem::path>& dependencies() const { return dependencies_; }
   /// Driver warnings as "file:line: text".
   const std::vector<std::string>& warnings() const { return warnings_; }
+  /// What went to the driver, by stage, in the order of the stages.
+  const std::vector<StageText>& texts() const { return texts_; }
   /// Whether a stage's text names gl_PrimitiveID: which triangles are drawn together matters to it.
   bool names_primitive_id() const { return names_primitive_id_; }
 
@@ -41,6 +50,7 @@ class Program {
   GlHandle<destroy_program> handle_;
   std::vector<std::filesystem::path> dependencies_;
   std::vector<std::string> warnings_;
+  std::vector<StageText> texts_;
   bool names_primitive_id_ = false;
 };
 

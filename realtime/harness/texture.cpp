@@ -37,6 +37,18 @@ void require_size(int width, int height, const std::string& name, const FileLoca
              fmt::format("this device takes 1 to {} a side", limit));
 }
 
+GLenum target_of(const TextureShape& shape) {
+  switch (shape.kind) {
+    case TextureKind::flat:
+      return shape.samples > 1 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
+    case TextureKind::array:
+      return GL_TEXTURE_2D_ARRAY;
+    case TextureKind::cube:
+      return GL_TEXTURE_CUBE_MAP;
+  }
+  return GL_NONE;
+}
+
 void require_shape(int width, int height, const TextureShape& shape, const std::string& name,
                    const FileLocation& where) {
   GLint max_samples = 0;
@@ -45,6 +57,18 @@ void require_shape(int width, int height, const TextureShape& shape, const std::
     fail_input(fmt::format("texture '{}' with {} samples a texel is not possible", name, shape.samples),
                where, fmt::format("this device takes 1 to {}", max_samples));
   }
+  GLint max_layers = 0;
+  glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &max_layers);
+  if (shape.layers < 1 || shape.layers > max_layers) {
+    fail_input(fmt::format("texture '{}' of {} layers is not possible", name, shape.layers), where,
+               fmt::format("this device takes 1 to {}", max_layers));
+  }
+  if (shape.kind == TextureKind::cube && width != height)
+    fail_input(fmt::format("texture '{}' is a cube of {} x {} texels", name, width, height), where,
+               "its faces must be square");
+  if (shape.kind != TextureKind::flat && shape.samples > 1)
+    fail_input(fmt::format("texture '{}' has layers and {} samples a texel", name, shape.samples), where,
+               "only kind = \"2d\" can have samples");
   const int most = shape.samples > 1 ? 1 : full_chain_levels(width, height);
   if (shape.levels >= 1 && shape.levels <= most) return;
   fail_input(fmt::format("texture '{}' of {} x {} texels and {} samples cannot have {} levels", name, width,
@@ -81,13 +105,16 @@ Texture::Texture(const TextureFormat& format, int width, int height, const std::
   require_size(width, height, name, where);
   require_shape(width, height, shape, name, where);
   GLuint id = 0;
-  glCreateTextures(shape.samples > 1 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D, 1, &id);
+  glCreateTextures(target_of(shape), 1, &id);
   handle_ = GlHandle<destroy_texture>(id);
   if (shape.samples > 1) {
     glTextureStorage2DMultisample(id, shape.samples, format.internal_format, width, height, GL_TRUE);
+  } else if (shape.kind == TextureKind::array) {
+    glTextureStorage3D(id, shape.levels, format.internal_format, width, height, shape.layers);
   } else {
     glTextureStorage2D(id, shape.levels, format.internal_format, width, height);
   }
+  label_object(GL_TEXTURE, id, name);
   require_gl_memory(name.empty() ? "a texture" : fmt::format("texture '{}'", name), bytes());
 }
 
@@ -98,7 +125,8 @@ size_t Texture::bytes() const {
     texels +=
         static_cast<size_t>(level_side(width_, level)) * static_cast<size_t>(level_side(height_, level));
   }
-  return texels * static_cast<size_t>(shape_.samples) * static_cast<size_t>(format_->bytes_per_texel);
+  return texels * static_cast<size_t>(shape_.layers) * static_cast<size_t>(shape_.samples) *
+         static_cast<size_t>(format_->bytes_per_texel);
 }
 
 Texture Texture::view_of_level(const Texture& texture, int level) {
@@ -107,11 +135,13 @@ Texture Texture::view_of_level(const Texture& texture, int level) {
   GLuint id = 0;
   glGenTextures(1, &id);  // a view takes a name that no target has claimed
   view.handle_ = GlHandle<destroy_texture>(id);
-  glTextureView(id, GL_TEXTURE_2D, texture.id(), texture.format().internal_format, static_cast<GLuint>(level),
-                1, 0, 1);
+  glTextureView(id, target_of(texture.shape_), texture.id(), texture.format().internal_format,
+                static_cast<GLuint>(level), 1, 0, static_cast<GLuint>(texture.layers()));
   view.format_ = &texture.format();
   view.width_ = level_side(texture.width(), level);
   view.height_ = level_side(texture.height(), level);
+  view.shape_.kind = texture.kind();
+  view.shape_.layers = texture.layers();
   return view;
 }
 

@@ -32,7 +32,7 @@ bool is_active(const Technique& technique, const Parameter& parameter, const Par
   if (parameter.when.empty()) return true;
   ExpressionVariables variables = parameter_variables(technique.parameters, values);
   variables.merge(light_variables(light));
-  return evaluate_expression(parameter.when, variables, parameter.where) != 0.0;
+  return Expression(parameter.when, parameter.where).evaluate(variables) != 0.0;
 }
 
 }  // namespace umbrameter

@@ -2,7 +2,7 @@
 #pragma once
 // Which parameters act on a picture, given the others and the light: the manifest's `when`.
 
-#include "realtime/manifest/expression.h"
+#include "realtime/graph/expression.h"
 #include "realtime/manifest/technique.h"
 
 namespace umbrameter {

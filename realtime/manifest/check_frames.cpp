@@ -13,7 +13,7 @@ namespace {
 std::vector<const PassDeclaration*> in_order(const std::vector<PassDeclaration>& passes) {
   std::vector<const PassDeclaration*> order;
   for (const PassDeclaration& pass : passes) {
-    if (pass.kind != "loop") {
+    if (pass.kind != PassKind::loop) {
       order.push_back(&pass);
       continue;
     }
@@ -29,7 +29,7 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 
 /// Blending adds to what is there, and drawing triangles leaves it between them.
 bool keeps_contents(const PassDeclaration& pass) {
-  return !pass.state.clear && (pass.kind == "scene" || pass.state.blend != "none");
+  return !pass.state.clear && (pass.kind == PassKind::scene || pass.state.blend != BlendMode::none);
 }
 
 [[noreturn]] void fail(const PassDeclaration& pass, std::string_view does, const std::string& name) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/names.h"
 #include "realtime/manifest/check_technique.h"
-#include "realtime/manifest/expression.h"
 #include "realtime/manifest/names.h"
 
 #include <algorithm>
@@ -48,7 +47,7 @@ void check_when(const Technique& technique, const Parameter& parameter) {
   for (const std::string& name : builtin_variables()) {
     if (name.starts_with("light.")) known.push_back(name);
   }
-  for (const std::string& name : expression_names(parameter.when, parameter.where)) {
+  for (const std::string& name : Expression(parameter.when, parameter.where).names()) {
     if (std::ranges::find(known, name) != known.end()) continue;
     fail_input(
         fmt::format("parameter '{}': unknown name '{}' in when = '{}'", parameter.name, name, parameter.when),
@@ -65,7 +64,7 @@ void check_presets(const Manifest& manifest) {
     }
     ParameterValues values = default_values(technique.parameters);
     for (const auto& [name, value] : preset.values) values[name] = value;
-    for (const ExpressionText& constraint : manifest.constraints) {
+    for (const Expression& constraint : technique.constraints) {
       check_constraint(technique, constraint, values, fmt::format("preset '{}'", preset.name));
     }
   }
@@ -73,28 +72,32 @@ void check_presets(const Manifest& manifest) {
 
 }  // namespace
 
-void check_constraint(const Technique& technique, const ExpressionText& constraint,
-                      const ParameterValues& values, std::string_view of_what) {
+void check_constraint(const Technique& technique, const Expression& constraint, const ParameterValues& values,
+                      std::string_view of_what) {
   const ExpressionVariables variables = parameter_variables(technique.parameters, values);
-  if (evaluate_expression(constraint.text, variables, constraint.where) != 0.0) return;
+  if (constraint.evaluate(variables) != 0.0) return;
   std::string seen;
-  for (const std::string& name : expression_names(constraint.text, constraint.where)) {
+  for (const std::string& name : constraint.names()) {
     if (!values.contains(name)) continue;
     seen += fmt::format("{}{} = {}", seen.empty() ? "" : ", ", name, to_text(values.at(name)));
   }
   fail_input(
-      fmt::format("{} of technique '{}' break the constraint '{}'", of_what, technique.id, constraint.text),
-      constraint.where, seen);
+      fmt::format("{} of technique '{}' break the constraint '{}'", of_what, technique.id, constraint.text()),
+      constraint.where(), seen);
 }
 
 void check_parameters(const Manifest& manifest, const std::set<std::string, std::less<>>& shader_tokens) {
   for (const Parameter& parameter : manifest.technique.parameters)
     check_is_read(manifest, parameter, shader_tokens);
-  for (const Parameter& parameter : manifest.technique.parameters) check_when(manifest.technique, parameter);
-  const ParameterValues defaults = default_values(manifest.technique.parameters);
-  for (const ExpressionText& constraint : manifest.constraints) {
-    check_constraint(manifest.technique, constraint, defaults, "the defaults");
+  const Technique& technique = manifest.technique;
+  for (const Parameter& parameter : technique.parameters) check_when(technique, parameter);
+  for (const ValueDeclaration& value : technique.values) {
+    if (!manifest.expression_names.contains(value.name))
+      fail_input(fmt::format("value '{}' is never used", value.name), value.where, "no expression names it");
   }
+  const ParameterValues defaults = default_values(technique.parameters);
+  for (const Expression& constraint : technique.constraints)
+    check_constraint(technique, constraint, defaults, "the defaults");
   check_presets(manifest);
 }
 

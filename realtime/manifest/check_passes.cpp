@@ -2,7 +2,6 @@
 #include "core/names.h"
 #include "realtime/harness/objects.h"
 #include "realtime/manifest/check_technique.h"
-#include "realtime/manifest/expression.h"
 #include "realtime/manifest/names.h"
 
 #include <algorithm>
@@ -28,7 +27,7 @@ class Identifiers {
 
 void claim_loops(Identifiers& identifiers, const std::vector<PassDeclaration>& passes) {
   for (const PassDeclaration& pass : passes) {
-    if (pass.kind != "loop") continue;
+    if (pass.kind != PassKind::loop) continue;
     const std::string what = fmt::format("loop '{}'", pass.id);
     identifiers.claim(pass.loop_variable, what, pass.where);
     identifiers.claim(pass.loop_variable + "_count", what, pass.where);
@@ -48,9 +47,13 @@ void check_identifiers(const Technique& technique) {
     for (const std::string& name : {resource.name, resource.name + "_size", "out_" + resource.name}) {
       identifiers.claim(name, what, resource.where);
     }
+    if (resource.kind == TextureKind::array)
+      identifiers.claim(resource.name + "_layers", what, resource.where);
   }
   for (const ViewDeclaration& view : technique.views) {
-    identifiers.claim("view_" + view.name, fmt::format("view '{}'", view.name), view.where);
+    const std::string what = fmt::format("view '{}'", view.name);
+    identifiers.claim("view_" + view.name, what, view.where);
+    if (view.is_family()) identifiers.claim(fmt::format("view_{}_count", view.name), what, view.where);
   }
   claim_loops(identifiers, technique.passes);
 }
@@ -61,6 +64,7 @@ class PassChecker {
   explicit PassChecker(const Technique& technique) : technique_(technique) {
     for (const ResourceDeclaration& resource : technique.resources) {
       formats_[resource.name] = &find_texture_format(resource.format, resource.where);
+      if (resource.kind != TextureKind::flat) layered_.insert(resource.name);
       known_writes_.push_back(resource.name);
     }
     formats_[std::string(kVisibility)] = &find_texture_format("r32f");
@@ -89,7 +93,7 @@ class PassChecker {
   void check(const std::vector<PassDeclaration>& passes, const NameSet& loop_variables) {
     for (const PassDeclaration& pass : passes) {
       if (!ids_.insert(pass.id).second) fail(pass, "stands here a second time", "ids are unique");
-      if (pass.kind == "loop") {
+      if (pass.kind == PassKind::loop) {
         NameSet inner = loop_variables;
         inner.insert({pass.loop_variable, pass.loop_variable + "_count"});
         check(pass.body, inner);
@@ -113,25 +117,42 @@ class PassChecker {
         fail(pass, fmt::format("uses the view '{}', which is not declared", name), suggest_name(name, known));
       }
       used_views_.insert(name);
-      check_loop_names(pass, *view, loop_variables);
+      if (name == pass.view) check_member(pass, *view);
+      if (!view->is_family()) check_loop_names(pass, *view, loop_variables);
     }
   }
 
-  /// A sample view that depends on a loop variable can only be used inside that loop.
+  /// A pass draws from one view: of a family it says which, and its shaders see that one alone.
+  static void check_member(const PassDeclaration& pass, const ViewDeclaration& view) {
+    if (view.is_family() && pass.view_index.is_empty())
+      fail(pass, fmt::format("draws from the views '{}' and does not say from which", view.name),
+           "add 'view_index'");
+    if (!view.is_family() && !pass.view_index.is_empty())
+      fail(pass, fmt::format("has a 'view_index', but '{}' is a single view", view.name),
+           "leave it out, or give the view a 'count'");
+    if (view.is_family() && std::ranges::find(pass.views, view.name) != pass.views.end())
+      fail(pass, fmt::format("draws from one of the views '{}' and lists them all in 'views'", view.name));
+  }
+
+  /// A view that depends on a loop variable can only be used inside that loop.
   void check_loop_names(const PassDeclaration& pass, const ViewDeclaration& view,
                         const NameSet& loop_variables) {
-    if (view.sample.text.empty()) return;
     const NameSet all = all_loop_variables(technique_.passes);
-    for (const std::string& name : expression_names(view.sample.text, view.where)) {
-      if (!all.contains(name) || loop_variables.contains(name)) continue;
-      fail(pass, fmt::format("uses the view '{}' outside the loop over '{}'", view.name, name));
+    std::vector<const Expression*> expressions = {&view.index, &view.snap, &view.size};
+    if (view.slice_world)
+      for (const Expression& end : *view.slice_world) expressions.push_back(&end);
+    for (const Expression* expression : expressions) {
+      for (const std::string& name : expression->names()) {
+        if (!all.contains(name) || loop_variables.contains(name)) continue;
+        fail(pass, fmt::format("uses the view '{}' outside the loop over '{}'", view.name, name));
+      }
     }
   }
 
   static NameSet all_loop_variables(const std::vector<PassDeclaration>& passes) {
     NameSet names;
     for (const PassDeclaration& pass : passes) {
-      if (pass.kind != "loop") continue;
+      if (pass.kind != PassKind::loop) continue;
       names.insert({pass.loop_variable, pass.loop_variable + "_count"});
       names.merge(all_loop_variables(pass.body));
     }
@@ -146,7 +167,7 @@ class PassChecker {
              suggest_name(name, known_reads_));
       }
       if (!reads.insert(name).second) fail(pass, fmt::format("reads '{}' twice", name));
-      if (std::ranges::find(pass.writes, name) != pass.writes.end() && pass.write_level.text.empty())
+      if (std::ranges::find(pass.writes, name) != pass.writes.end() && pass.write_level.is_empty())
         fail(pass, fmt::format("reads and writes '{}'", name), "only with 'write_level'");
       const bool is_builtin = std::ranges::find(builtin_reads(), name) != builtin_reads().end();
       if (!is_builtin && !written_.contains(name)) {
@@ -158,7 +179,7 @@ class PassChecker {
 
   /// What runs once may depend on parameters only.
   void check_once(const PassDeclaration& pass) {
-    if (!pass.view.empty() || !pass.views.empty() || pass.kind == "scene")
+    if (!pass.view.empty() || !pass.views.empty() || pass.kind == PassKind::scene)
       fail(pass, "runs once but depends on the scene", "leave out 'once'");
     for (const std::string& name : pass.reads) {
       if (!written_once_.contains(name))
@@ -185,13 +206,14 @@ class PassChecker {
         fail(pass, fmt::format("writes '{}', which is no resource", name), suggest_name(name, known_writes_));
       }
       if (!writes.insert(name).second) fail(pass, fmt::format("writes '{}' twice", name));
-      if (pass.kind == "mipmap") {
+      if (pass.kind == PassKind::mipmap) {
         check_mipmap(pass, name);
         continue;
       }
       (formats_.at(name)->is_depth ? depths : colors) += 1;
       check_contents(pass, name);
     }
+    if (pass.kind != PassKind::mipmap) check_layer(pass);
     if (depths > 1) fail(pass, "writes more than one depth resource");
     if (colors > kMaxColors) fail(pass, fmt::format("writes more than {} colour resources", kMaxColors));
     if (colors > 0 && pass.fragment.empty()) fail(pass, "writes colour without a 'fragment' shader");
@@ -201,12 +223,21 @@ class PassChecker {
     }
   }
 
+  void check_layer(const PassDeclaration& pass) const {
+    const auto layered =
+        std::ranges::find_if(pass.writes, [&](const auto& name) { return layered_.contains(name); });
+    if (layered != pass.writes.end() && pass.write_layer.is_empty())
+      fail(pass, fmt::format("writes '{}' and does not say which layer", *layered), "add 'write_layer'");
+    if (layered == pass.writes.end() && !pass.write_layer.is_empty())
+      fail(pass, "has a 'write_layer', but writes nothing with layers");
+  }
+
   /// Blending, and drawing that leaves texels out, need something in the target.
   void check_contents(const PassDeclaration& pass, const std::string& name) const {
     if (pass.state.clear || written_.contains(name)) return;
-    if (pass.state.blend != "none")
+    if (pass.state.blend != BlendMode::none)
       fail(pass, fmt::format("blends into '{}' before anything is in it", name), "add 'clear'");
-    if (pass.kind == "scene")
+    if (pass.kind == PassKind::scene)
       fail(pass, fmt::format("draws into '{}' before anything is in it", name), "add 'clear'");
   }
 
@@ -218,7 +249,7 @@ class PassChecker {
       };
       if (resource.compare && !format.is_depth)
         fail_resource("cannot be compared", "compare = true needs depth32f");
-      if (format.is_integer && resource.filter != "nearest")
+      if (format.is_integer && resource.filter != TextureFilter::nearest)
         fail_resource("holds integers, which cannot be filtered");
       if (!written_.contains(resource.name)) fail_resource("is never written");
       if (!read_.contains(resource.name) && !depth_for_colors_.contains(resource.name))
@@ -238,6 +269,7 @@ class PassChecker {
   std::vector<std::string> known_reads_;
   std::vector<std::string> known_writes_;
   NameSet ids_, written_, written_once_, read_, used_views_;
+  NameSet layered_;           // resources with layers
   NameSet depth_for_colors_;  // depth resources that only serve the depth test of a pass with colours
 };
 
@@ -245,6 +277,7 @@ class PassChecker {
 
 void check_passes(const Technique& technique) {
   check_identifiers(technique);
+  check_views(technique);
   PassChecker(technique).check_all();
 }
 

@@ -15,13 +15,16 @@ void check_passes(const Technique& technique);
 /// follows a write of the same frame. Error{input} at the first that does not.
 void check_frames(const Technique& technique);
 
+/// Views: origins and fits that go with the technique's lights and with each other. check_passes() calls it.
+void check_views(const Technique& technique);
+
 /// Parameters: each is read (define and uniform ones by `shader_tokens`, host ones by an expression or a
 /// fit), presets name them, constraints hold for the defaults and every preset. Error{input} at the first
 /// fault.
 void check_parameters(const Manifest& manifest, const std::set<std::string, std::less<>>& shader_tokens);
 
 /// The parameter values that break no constraint, or Error{input} naming the one that fails and what it sees.
-void check_constraint(const Technique& technique, const ExpressionText& constraint,
-                      const ParameterValues& values, std::string_view of_what);
+void check_constraint(const Technique& technique, const Expression& constraint, const ParameterValues& values,
+                      std::string_view of_what);
 
 }  // namespace umbrameter

@@ -2,7 +2,6 @@
 #include "realtime/manifest/manifest_parts.h"
 
 #include "core/names.h"
-#include "realtime/manifest/expression.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,33 +35,49 @@ std::string read_name(TomlReader& reader, const std::string& key) {
   return name;
 }
 
-void check_expression(Manifest& manifest, const ExpressionText& expression, const Names& scope) {
-  for (const std::string& name : expression_names(expression.text, expression.where)) {
+void check_expression(Manifest& manifest, const Expression& expression, const Names& scope) {
+  for (const std::string& name : expression.names()) {
     if (std::ranges::find(scope, name) == scope.end()) {
-      fail_input(fmt::format("unknown name '{}' in expression '{}'", name, expression.text), expression.where,
-                 suggest_name(name, scope));
+      fail_input(fmt::format("unknown name '{}' in expression '{}'", name, expression.text()),
+                 expression.where(), suggest_name(name, scope));
     }
     manifest.expression_names.insert(name);
   }
 }
 
-ExpressionText read_expression(Manifest& manifest, TomlReader& reader, const std::string& key,
-                               const Names& scope) {
-  const TomlNode* node = reader.find(key);
-  if (node == nullptr) return {};
-  ExpressionText expression{node->text, node->where};
-  if (node->type == TomlNode::Type::integer) {
-    expression.text = fmt::format("{}", node->integer);
-  } else if (node->type != TomlNode::Type::text) {
-    reader.fail(key,
-                fmt::format("'{}' must be an expression or an integer, not {}", key, describe(node->type)));
+namespace {
+
+Expression expression_of(Manifest& manifest, const TomlNode& node, const std::string& key,
+                         const Names& scope) {
+  const bool is_integer = node.type == TomlNode::Type::integer;
+  if (!is_integer && node.type != TomlNode::Type::text) {
+    fail_input(fmt::format("'{}' must be an expression or an integer, not {}", key, describe(node.type)),
+               node.where);
   }
+  Expression expression(is_integer ? fmt::format("{}", node.integer) : node.text, node.where);
   check_expression(manifest, expression, scope);
   return expression;
 }
 
-ExpressionText require_expression(Manifest& manifest, TomlReader& reader, const std::string& key,
-                                  const Names& scope) {
+}  // namespace
+
+Expression read_expression(Manifest& manifest, TomlReader& reader, const std::string& key,
+                           const Names& scope) {
+  const TomlNode* node = reader.find(key);
+  return node == nullptr ? Expression() : expression_of(manifest, *node, key, scope);
+}
+
+std::array<Expression, 2> read_expression_pair(Manifest& manifest, TomlReader& reader, const std::string& key,
+                                               const Names& scope) {
+  const TomlNode& list = reader.require(key);
+  if (list.type != TomlNode::Type::array || list.items.size() != 2)
+    reader.fail(key, fmt::format("'{}' must be a list of two expressions", key));
+  return {expression_of(manifest, list.items[0], key, scope),
+          expression_of(manifest, list.items[1], key, scope)};
+}
+
+Expression require_expression(Manifest& manifest, TomlReader& reader, const std::string& key,
+                              const Names& scope) {
   reader.require(key);
   return read_expression(manifest, reader, key, scope);
 }

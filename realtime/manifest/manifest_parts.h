@@ -5,6 +5,7 @@
 #include "core/toml.h"
 #include "realtime/manifest/read_manifest.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -15,21 +16,27 @@ using Names = std::vector<std::string>;
 /// A name that becomes an identifier in GLSL.
 std::string read_name(TomlReader& reader, const std::string& key);
 
-/// Error{input} unless `expression` parses and uses names of `scope` only; notes the names as used.
-void check_expression(Manifest& manifest, const ExpressionText& expression, const Names& scope);
+/// Error{input} unless `expression` uses names of `scope` only; notes the names as used.
+void check_expression(Manifest& manifest, const Expression& expression, const Names& scope);
 
 /// An expression, or a plain integer; empty when absent.
-ExpressionText read_expression(Manifest& manifest, TomlReader& reader, const std::string& key,
-                               const Names& scope);
-ExpressionText require_expression(Manifest& manifest, TomlReader& reader, const std::string& key,
-                                  const Names& scope);
+Expression read_expression(Manifest& manifest, TomlReader& reader, const std::string& key,
+                           const Names& scope);
+Expression require_expression(Manifest& manifest, TomlReader& reader, const std::string& key,
+                              const Names& scope);
+
+/// Two of them, written as a list.
+std::array<Expression, 2> read_expression_pair(Manifest& manifest, TomlReader& reader, const std::string& key,
+                                               const Names& scope);
 
 /// One to four finite numbers.
 std::vector<double> read_numbers(TomlReader& reader, const std::string& key);
 
 // The tables. `scope` holds the names that expressions may use.
 ResourceDeclaration read_resource(Manifest& manifest, const TomlNode& table, const Names& scope);
-ViewDeclaration read_view(Manifest& manifest, const TomlNode& table, const Names& scope);
+/// `family_scope`: those of a family of views, which belongs to no loop.
+ViewDeclaration read_view(Manifest& manifest, const TomlNode& table, const Names& scope,
+                          const Names& family_scope);
 PassDeclaration read_pass(Manifest& manifest, const TomlNode& table, const Names& scope, int loop_depth);
 
 /// The variables of all loops, and their counts.

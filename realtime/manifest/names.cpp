@@ -32,9 +32,10 @@ std::string choice_variable(const Parameter& parameter, std::string_view choice)
 }
 
 std::span<const std::string> builtin_variables() {
-  static const std::array<std::string, 9> variables = {"screen.width", "screen.height", "light.width",
-                                                       "light.height", "light.type",    "light.rect",
-                                                       "light.disk",   "light.sphere",  "light.sun"};
+  static const std::array<std::string, 14> variables = {
+      "screen.width", "screen.height", "light.width",    "light.height", "light.type",
+      "light.rect",   "light.disk",    "light.sphere",   "light.sun",    "scene.diagonal",
+      "camera.near",  "camera.far",    "receivers.near", "receivers.far"};
   return variables;
 }
 

@@ -3,7 +3,7 @@
 // What manifests may name besides their own things, and how names reach GLSL.
 
 #include "core/parameters.h"
-#include "realtime/manifest/expression.h"
+#include "realtime/graph/expression.h"
 
 #include <filesystem>
 #include <span>
@@ -26,7 +26,9 @@ std::string choice_variable(const Parameter& parameter, std::string_view choice)
 
 /// Names that every expression may use next to the technique's parameters: screen.width and height (px);
 /// light.width and height (full extent in world units; sun: 2 tan(half angle)); light.type and
-/// light.rect, light.disk, light.sphere, light.sun to compare it with.
+/// light.rect, light.disk, light.sphere, light.sun to compare it with; scene.diagonal (world); and distances along the
+/// camera's axis: camera.near (its near plane), camera.far (the farthest corner of the scene's box), receivers.near and
+/// far (of the receivers in the picture).
 std::span<const std::string> builtin_variables();
 
 /// The value of every parameter and choice.

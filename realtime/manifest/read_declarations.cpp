@@ -8,21 +8,35 @@
 namespace umbrameter {
 namespace {
 
+// In the order of their enumerations.
+const std::array<std::string, 3> kTextureKinds = {"2d", "array", "cube"};
 const std::array<std::string, 3> kFilters = {"nearest", "linear", "mipmap"};
 const std::array<std::string, 3> kWraps = {"border", "clamp", "repeat"};
 const std::array<std::string, 4> kPassKinds = {"scene", "fullscreen", "mipmap", "loop"};
 const std::array<std::string, 3> kCulls = {"none", "back", "front"};
 const std::array<std::string, 4> kBlends = {"none", "add", "min", "max"};
 
-/// The expression between the brackets of "light.sample(...)".
-ExpressionText sample_expression(const std::string& from, const FileLocation& where) {
-  constexpr std::string_view kPrefix = "light.sample(";
-  if (from == "light.center") return {};
-  if (!from.starts_with(kPrefix) || !from.ends_with(')')) {
-    fail_input(fmt::format("a view cannot be from '{}'", from), where,
-               "light.center or light.sample(<expression>)");
+/// The enumerator that `key` names, the first one when it is absent.
+template <class Enum, size_t n>
+Enum read_enum(TomlReader& reader, const std::string& key, const std::array<std::string, n>& names) {
+  return static_cast<Enum>(reader.choice(key, names, 0));
+}
+
+/// "light.center", or one of the others with the expression between its brackets.
+void read_origin(Manifest& manifest, TomlReader& reader, ViewDeclaration& view, const Names& scope) {
+  const std::string from = reader.text("from", "light.center");
+  if (from == "light.center") return;
+  for (const auto& [origin, prefix] : {std::pair(ViewOrigin::light_sample, std::string("light.sample(")),
+                                       std::pair(ViewOrigin::light_face, std::string("light.face("))}) {
+    if (!from.starts_with(prefix) || !from.ends_with(')')) continue;
+    view.from = origin;
+    view.index =
+        Expression(from.substr(prefix.size(), from.size() - prefix.size() - 1), reader.where("from"));
+    check_expression(manifest, view.index, scope);
+    return;
   }
-  return {from.substr(kPrefix.size(), from.size() - kPrefix.size() - 1), where};
+  reader.fail("from", fmt::format("a view cannot be from '{}'", from),
+              "light.center, light.sample(<expression>) or light.face(<expression>)");
 }
 
 /// A fit is one of light_fits() or a choice parameter among them.
@@ -43,10 +57,29 @@ void check_fit(Manifest& manifest, const TomlReader& reader, const std::string& 
               fmt::format("{} or the name of a choice parameter", fmt::join(known, ", ")));
 }
 
+/// What a face covers is known: a right angle.
+void read_coverage(Manifest& manifest, TomlReader& reader, ViewDeclaration& view, const Names& scope) {
+  if (view.from == ViewOrigin::light_face) {
+    for (const std::string_view key : {"fit", "snap", "slice_world"}) {
+      if (reader.has(std::string(key)))
+        reader.fail(std::string(key), fmt::format("a face of the light's cube has no '{}'", key),
+                    "it covers a right angle: leave it out");
+    }
+    return;
+  }
+  view.fit = reader.text("fit", view.fit);
+  check_fit(manifest, reader, view.fit);
+  view.snap = read_expression(manifest, reader, "snap", scope);
+  if (!reader.has("slice_world")) return;
+  if (view.from != ViewOrigin::light_center)
+    reader.fail("slice_world", "only a view from light.center can cover a slice of the frustum");
+  view.slice_world = read_expression_pair(manifest, reader, "slice_world", scope);
+}
+
 PassState read_state(TomlReader& reader) {
   PassState state;
-  state.cull = kCulls[reader.choice("cull", kCulls, 0)];
-  state.blend = kBlends[reader.choice("blend", kBlends, 0)];
+  state.cull = read_enum<CullMode>(reader, "cull", kCulls);
+  state.blend = read_enum<BlendMode>(reader, "blend", kBlends);
   if (reader.has("clear")) state.clear = read_numbers(reader, "clear");
   state.depth_clamp = reader.boolean("depth_clamp", true);
   constexpr int64_t kMaxClipDistances = 8;  // the least a GL offers
@@ -72,8 +105,9 @@ void read_loop(Manifest& manifest, TomlReader& reader, PassDeclaration& pass, Na
 }
 
 void read_drawing(Manifest& manifest, TomlReader& reader, PassDeclaration& pass, const Names& scope) {
-  if (pass.kind == "scene") {
+  if (pass.kind == PassKind::scene) {
     pass.view = reader.text("view", "");
+    pass.view_index = read_expression(manifest, reader, "view_index", scope);
     pass.vertex = reader.text("vertex", "");
     pass.fragment = reader.text("fragment", "");
     if (pass.view.empty() && pass.vertex.empty()) {
@@ -87,6 +121,7 @@ void read_drawing(Manifest& manifest, TomlReader& reader, PassDeclaration& pass,
   pass.views = reader.texts("views");
   pass.state = read_state(reader);
   pass.write_level = read_expression(manifest, reader, "write_level", scope);
+  pass.write_layer = read_expression(manifest, reader, "write_layer", scope);
   pass.once = reader.boolean("once", false);
   if (pass.once && reader.has("timer"))
     reader.fail("timer", "a pass that runs once is not timed", "leave out 'timer'");
@@ -101,32 +136,44 @@ ResourceDeclaration read_resource(Manifest& manifest, const TomlNode& table, con
   resource.where = table.where;
   resource.name = read_name(reader, "name");
   resource.format = reader.text("format");
+  resource.kind = read_enum<TextureKind>(reader, "kind", kTextureKinds);
   resource.width = require_expression(manifest, reader, "width", scope);
   resource.height = require_expression(manifest, reader, "height", scope);
+  if (resource.kind == TextureKind::array) {
+    resource.layers = require_expression(manifest, reader, "layers", scope);
+  } else if (reader.has("layers")) {
+    reader.fail("layers", "only kind = \"array\" has 'layers'", "a cube has six");
+  }
   resource.levels = read_expression(manifest, reader, "levels", scope);
   resource.samples = read_expression(manifest, reader, "samples", scope);
   resource.anisotropy = read_expression(manifest, reader, "anisotropy", scope);
-  resource.filter = kFilters[reader.choice("filter", kFilters, 0)];
-  resource.wrap = kWraps[reader.choice("wrap", kWraps, 0)];
+  resource.filter = read_enum<TextureFilter>(reader, "filter", kFilters);
+  resource.wrap = read_enum<TextureWrap>(reader, "wrap", kWraps);
   if (reader.has("border")) resource.border = read_numbers(reader, "border");
   resource.compare = reader.boolean("compare", false);
-  resource.condition = read_expression(manifest, reader, "condition", scope).text;
+  resource.condition = read_expression(manifest, reader, "condition", scope);
   reader.finish();
   return resource;
 }
 
-ViewDeclaration read_view(Manifest& manifest, const TomlNode& table, const Names& scope) {
+ViewDeclaration read_view(Manifest& manifest, const TomlNode& table, const Names& scope,
+                          const Names& family_scope) {
   TomlReader reader(table, "[[view]]");
   ViewDeclaration view;
   view.where = table.where;
   view.name = read_name(reader, "name");
-  view.from = reader.text("from", view.from);
-  view.sample = sample_expression(view.from, reader.where("from"));
-  if (view.from != "light.center") check_expression(manifest, view.sample, scope);
-  view.fit = reader.text("fit", view.fit);
-  check_fit(manifest, reader, view.fit);
-  view.snap = read_expression(manifest, reader, "snap", scope).text;
-  view.size = require_expression(manifest, reader, "size", scope).text;
+  Names inner = scope;
+  if (reader.has("count")) {
+    inner = family_scope;
+    view.count = read_expression(manifest, reader, "count", inner);
+    view.variable = read_name(reader, "variable");
+    if (std::ranges::find(inner, view.variable) != inner.end())
+      reader.fail("variable", fmt::format("'{}' means something else already", view.variable));
+    inner.push_back(view.variable);
+  }
+  read_origin(manifest, reader, view, inner);
+  read_coverage(manifest, reader, view, inner);
+  view.size = require_expression(manifest, reader, "size", inner);
   reader.finish();
   return view;
 }
@@ -136,15 +183,20 @@ PassDeclaration read_pass(Manifest& manifest, const TomlNode& table, const Names
   PassDeclaration pass;
   pass.where = table.where;
   pass.id = reader.text("id");
-  pass.kind = kPassKinds[reader.choice("kind", kPassKinds)];
-  pass.condition = read_expression(manifest, reader, "condition", scope).text;
-  if (pass.kind == "loop") {
-    read_loop(manifest, reader, pass, scope, depth);
-  } else if (pass.kind == "mipmap") {
-    pass.writes = reader.texts("writes");
-    pass.timer = reader.text("timer", "");
-  } else {
-    read_drawing(manifest, reader, pass, scope);
+  pass.kind = static_cast<PassKind>(reader.choice("kind", kPassKinds));
+  pass.condition = read_expression(manifest, reader, "condition", scope);
+  switch (pass.kind) {
+    case PassKind::loop:
+      read_loop(manifest, reader, pass, scope, depth);
+      break;
+    case PassKind::mipmap:
+      pass.writes = reader.texts("writes");
+      pass.timer = reader.text("timer", "");
+      break;
+    case PassKind::scene:
+    case PassKind::fullscreen:
+      read_drawing(manifest, reader, pass, scope);
+      break;
   }
   reader.finish();
   return pass;
@@ -152,7 +204,7 @@ PassDeclaration read_pass(Manifest& manifest, const TomlNode& table, const Names
 
 void collect_loop_variables(const std::vector<PassDeclaration>& passes, Names& names) {
   for (const PassDeclaration& pass : passes) {
-    if (pass.kind != "loop") continue;
+    if (pass.kind != PassKind::loop) continue;
     names.push_back(pass.loop_variable);
     names.push_back(pass.loop_variable + "_count");
     collect_loop_variables(pass.body, names);

@@ -66,7 +66,7 @@ void add_included(Documents& documents, TomlReader& reader, const std::filesyste
     TomlNode document = parse_toml_file(file);
     TomlReader included(document, "the shared manifest");
     add_included(documents, included, shared_folder);
-    for (const std::string_view key : {"parameter", "constraints", "resource", "pass", "view"})
+    for (const std::string_view key : {"parameter", "constraints", "value", "resource", "pass", "view"})
       included.find(std::string(key));
     included.finish();
     documents.nodes.push_back(std::move(document));
@@ -119,9 +119,21 @@ void read_header(Technique& technique, TomlReader& reader) {
 
 void read_constraints(Manifest& manifest, TomlReader& reader, const Names& scope) {
   for (const std::string& text : reader.texts("constraints")) {
-    manifest.constraints.push_back({text, reader.where("constraints")});
-    check_expression(manifest, manifest.constraints.back(), scope);
-    manifest.technique.constraints.push_back(text);
+    manifest.technique.constraints.emplace_back(text, reader.where("constraints"));
+    check_expression(manifest, manifest.technique.constraints.back(), scope);
+  }
+}
+
+void read_values(Manifest& manifest, TomlReader& reader, Names& scope) {
+  for (const TomlNode* table : reader.tables("value")) {
+    TomlReader source(*table, "[[value]]");
+    const std::string name = read_name(source, "name");
+    if (std::ranges::find(scope, name) != scope.end())
+      source.fail("name", fmt::format("'{}' means something else already", name));
+    manifest.technique.values.push_back(
+        {name, require_expression(manifest, source, "value", scope), table->where});
+    source.finish();
+    scope.push_back(name);
   }
 }
 
@@ -150,6 +162,7 @@ Manifest read_manifest(const std::filesystem::path& folder, const std::filesyste
   Names scope = parameter_names(technique);
   for_all([&](TomlReader& source) { read_constraints(manifest, source, scope); });
   scope.insert(scope.end(), builtin_variables().begin(), builtin_variables().end());
+  for_all([&](TomlReader& source) { read_values(manifest, source, scope); });
   for_all([&](TomlReader& source) {
     for (const TomlNode* table : source.tables("resource"))
       technique.resources.push_back(read_resource(manifest, *table, scope));
@@ -158,10 +171,11 @@ Manifest read_manifest(const std::filesystem::path& folder, const std::filesyste
     for (const TomlNode* table : source.tables("pass"))
       technique.passes.push_back(read_pass(manifest, *table, scope, 0));
   });
+  const Names outside_loops = scope;
   collect_loop_variables(technique.passes, scope);
   for_all([&](TomlReader& source) {
     for (const TomlNode* table : source.tables("view"))
-      technique.views.push_back(read_view(manifest, *table, scope));
+      technique.views.push_back(read_view(manifest, *table, scope, outside_loops));
   });
   for (const TomlNode* table : reader.tables("preset"))
     technique.presets.push_back(read_preset(technique, *table));

@@ -14,7 +14,6 @@ namespace umbrameter {
 /// A Technique (without its hash) and what its checks need to know.
 struct Manifest {
   Technique technique;
-  std::vector<ExpressionText> constraints;              // technique.constraints with their places
   std::set<std::string, std::less<>> expression_names;  // every name that an expression, or a fit, uses
   std::vector<std::filesystem::path> files;             // the manifest and what it includes
 };

@@ -116,9 +116,8 @@ ParameterValues resolve_parameters(const Technique& technique, const ParameterVa
     const Parameter& parameter = find_parameter(technique.parameters, name, technique.id);
     values[name] = parse_parameter_value(parameter, to_text(value));
   }
-  for (const std::string& constraint : technique.constraints) {
-    check_constraint(technique, {constraint, {(technique.folder / kManifestName).string(), 0, 0}}, values,
-                     "the parameters");
+  for (const Expression& constraint : technique.constraints) {
+    check_constraint(technique, constraint, values, "the parameters");
   }
   return values;
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "realtime/views/light_view.h"
 
-#include "realtime/views/lateral_bounds.h"
 #include "realtime/views/nearest_caster.h"
+#include "realtime/views/view_parts.h"
 
 #include <glm/geometric.hpp>
 
@@ -14,91 +14,14 @@
 namespace umbrameter {
 namespace {
 
-/// Share of the extent added on each side, so that receivers at the rim stay inside after rounding and small
-/// filters find casters there.
-constexpr double kRimShare = 0.01;
-/// Smallest extent relative to the distance scale: a single point still gets a map.
-constexpr double kMinimumExtent = 1e-3;
-/// Nearest usable distance of a perspective view, relative to its farthest receiver.
-constexpr double kNearShare = 1e-4;
-
-struct LightFrame {
-  glm::dvec3 origin_world;
-  glm::dvec3 x_world, y_world, z_world;
-};
-
-/// A frame looking along `direction`, its x axis as close to `tangent` as it gets.
-LightFrame frame_along(const glm::dvec3& origin, const glm::dvec3& direction, const glm::dvec3& tangent) {
-  const glm::dvec3 z = glm::normalize(direction);
-  glm::dvec3 x = tangent - z * glm::dot(tangent, z);
-  if (glm::dot(x, x) < 1e-12) {
-    const glm::dvec3 other = std::abs(z.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-    x = other - z * glm::dot(other, z);
-  }
-  x = glm::normalize(x);
-  return {origin, x, glm::cross(z, x), z};
-}
-
 LightFrame frame_of_light(const Light& light, const glm::dvec3& origin) {
   return {origin, light.tangent_world, light.bitangent_world, light.direction_world};
-}
-
-glm::dmat4 light_from_world(const LightFrame& frame) {
-  glm::dmat4 m(1.0);
-  const glm::dvec3 rows[3] = {frame.x_world, frame.y_world, frame.z_world};
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) m[column][row] = rows[row][column];
-    m[3][row] = -glm::dot(rows[row], frame.origin_world);
-  }
-  return m;
-}
-
-/// Reversed depth, zero to one: perspective n (f - z) / (z (f - n)), orthographic (f - z) / (f - n).
-glm::dmat4 clip_from_light(const LateralBounds& bounds, double near, double far, bool is_orthographic) {
-  const glm::dvec2 scale = 2.0 / (bounds.max - bounds.min);
-  const glm::dvec2 shift = -(bounds.max + bounds.min) / (bounds.max - bounds.min);
-  glm::dmat4 m(0.0);
-  m[0][0] = scale.x;
-  m[1][1] = scale.y;
-  if (is_orthographic) {
-    m[3] = glm::dvec4(shift, far / (far - near), 1.0);
-    m[2][2] = -1.0 / (far - near);
-  } else {
-    m[2] = glm::dvec4(shift, -near / (far - near), 1.0);
-    m[3][2] = near * far / (far - near);
-  }
-  return m;
-}
-
-LightView make_view(const LightFrame& frame, const LateralBounds& bounds, double near, double far,
-                    bool is_orthographic) {
-  LightView view;
-  view.light_from_world = glm::mat4(light_from_world(frame));
-  view.clip_from_light = glm::mat4(clip_from_light(bounds, near, far, is_orthographic));
-  view.lateral_bounds = glm::vec4(glm::vec2(bounds.min), glm::vec2(bounds.max));
-  view.near_world = static_cast<float>(near);
-  view.far_world = static_cast<float>(far);
-  view.is_orthographic = is_orthographic;
-  return view;
-}
-
-LateralBounds grown(const LateralBounds& bounds, const glm::dvec2& margin) {
-  return {bounds.min - margin, bounds.max + margin, bounds.near, bounds.far};
-}
-
-LateralBounds with_rim(const LateralBounds& bounds, double scale) {
-  const glm::dvec2 missing = glm::max(kMinimumExtent * scale - (bounds.max - bounds.min), 0.0);
-  return grown(bounds, 0.5 * missing + kRimShare * (bounds.max - bounds.min + missing));
 }
 
 LateralBounds limited(LateralBounds bounds) {
   bounds.min = glm::clamp(bounds.min, -kTanLimit, kTanLimit);
   bounds.max = glm::clamp(bounds.max, -kTanLimit, kTanLimit);
   return bounds;
-}
-
-ReceiverTile scene_box(const Scene& scene) {
-  return {glm::vec3(scene.bounds_world.min), glm::vec3(scene.bounds_world.max)};
 }
 
 /// The box of the scene's bounding sphere.
@@ -131,20 +54,6 @@ glm::dvec2 light_half_extent(const Light& light) {
   return light.type == LightType::rect ? 0.5 * light.size_world : glm::dvec2(light.radius_world);
 }
 
-/// Lateral bounds as they are, at the scene's range of distances.
-LightView fit_scene_range(const Scene& scene, const LightFrame& frame, const LateralBounds& lateral,
-                          bool is_orthographic) {
-  const glm::dmat4 from_world = light_from_world(frame);
-  const ReceiverTile box = scene_box(scene);
-  const LateralBounds all =
-      is_orthographic ? bound_orthographic(from_world, {&box, 1}) : bound_perspective(from_world, {&box, 1});
-  const double scale = is_orthographic ? std::max(scene.bounds_world.diagonal(), 1e-30) : all.far;
-  const double far = all.far + kMinimumExtent * scale;
-  const double near =
-      is_orthographic ? all.near - kMinimumExtent * scale : std::max(all.near, kNearShare * far);
-  return make_view(frame, lateral, near, far, is_orthographic);
-}
-
 LightView fit_perspective_center(const Scene& scene, const LightFrame& frame,
                                  std::span<const ReceiverTile> tiles, LightFit fit) {
   const glm::dmat4 from_world = light_from_world(frame);
@@ -162,16 +71,6 @@ LightView fit_perspective_center(const Scene& scene, const LightFrame& frame,
 
   const double near = nearest_caster_perspective(scene, from_world, bounds, floor, far);
   return make_view(frame, bounds, near * (1.0 - kNearShare), far, false);
-}
-
-/// Moves the origin of a sun's frame to the plane through the scene's nearest caster, laterally to its
-/// middle.
-LightFrame sun_frame(const Scene& scene, const glm::dvec3& direction, const glm::dvec3& tangent) {
-  const glm::dvec3 middle = 0.5 * (scene.bounds_world.min + scene.bounds_world.max);
-  LightFrame frame = frame_along(middle, direction, tangent);
-  const ReceiverTile all = scene_box(scene);
-  frame.origin_world += frame.z_world * bound_orthographic(light_from_world(frame), {&all, 1}).near;
-  return frame;
 }
 
 LightView fit_sun(const Scene& scene, std::span<const ReceiverTile> tiles, const LightFrame& frame,
@@ -253,8 +152,14 @@ LightView fit_sample_view(const Scene& scene, std::span<const ReceiverTile> cove
 }
 
 std::span<const std::string> light_fits() {
-  static const std::array<std::string, 5> fits = {"none", "frustum", "scene", "full", "visible"};
+  static const std::array<std::string, 6> fits = {"none", "frustum", "scene", "full", "visible", "sphere"};
   return fits;
+}
+
+LightFit find_light_fit(std::string_view name) {
+  const auto found = std::ranges::find(light_fits(), name);
+  UMBRAMETER_ASSERT(found != light_fits().end(), "fit {}", name);
+  return static_cast<LightFit>(found - light_fits().begin());
 }
 
 LightView snapped(const LightView& view, int texels_a_side) {
@@ -275,6 +180,20 @@ LightView snapped(const LightView& view, int texels_a_side) {
       glm::mat4(clip_from_light(bounds, view.near_world, view.far_world, view.is_orthographic));
   result.lateral_bounds = glm::vec4(glm::vec2(bounds.min), glm::vec2(bounds.max));
   return result;
+}
+
+glm::dvec4 camera_axis(const Camera& camera) {
+  const glm::dvec3 forward = glm::normalize(camera.at_world - camera.eye_world);
+  return {forward, -glm::dot(forward, camera.eye_world)};
+}
+
+bool covers(const LightView& view, const glm::dvec3& p_world) {
+  const double along_axis = glm::dot(view.camera_axis, glm::dvec4(p_world, 1.0));
+  if (view.slice && (along_axis < view.slice->near_world || along_axis > view.slice->far_world)) return false;
+  const glm::dvec3 p = lateral_and_distance(view, p_world);
+  if (!view.is_orthographic && p.z <= 0.0) return false;
+  const glm::dvec4 bounds(view.lateral_bounds);
+  return p.x >= bounds.x && p.y >= bounds.y && p.x <= bounds.z && p.y <= bounds.w;
 }
 
 glm::dvec3 lateral_and_distance(const LightView& view, const glm::dvec3& p_world) {

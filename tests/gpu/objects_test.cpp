@@ -131,7 +131,7 @@ TEST_F(ObjectsTest, BuffersHoldWhatTheyWereGivenAndZeroOtherwise) {
 
 TEST_F(ObjectsTest, SamplersCarryTheirSettings) {
   const Sampler sampler(
-      {.linear = true, .wrap = "border", .border = {0.25f, 0.5f, 0.75f, 1.0f}, .compare = true});
+      {.filter = TextureFilter::linear, .border = {0.25f, 0.5f, 0.75f, 1.0f}, .compare = true});
   GLint filter = 0, wrap = 0, mode = 0, function = 0;
   glm::vec4 border(0.0f);
   glGetSamplerParameteriv(sampler.id(), GL_TEXTURE_MAG_FILTER, &filter);

@@ -68,7 +68,8 @@ std::vector<Technique> techniques() {
 ParameterValues quick(const Technique& technique, int64_t map_size, int64_t light_samples) {
   ParameterValues values;
   for (const Parameter& parameter : technique.parameters) {
-    if (parameter.name == "map_size") values["map_size"] = map_size;
+    for (const char* size : {"map_size", "face_size", "cascade_size"})
+      if (parameter.name == size) values[size] = map_size;
     if (parameter.name == "light_samples") values["light_samples"] = light_samples;
   }
   return values;
@@ -103,6 +104,10 @@ Light light_at_4(LightType type, double size) {
   if (type == LightType::disk) return disk_light_above(center, 0.5 * size);
   if (type == LightType::sphere) return sphere_light(center, 0.5 * size);
   return sun_light({0, 1, 0}, std::atan(size / 8));
+}
+
+LightType any_light(const Technique& technique) {
+  return technique.supports(LightType::rect) ? LightType::rect : technique.lights.front();
 }
 
 Scene half_plane_scene(const Light& light) {

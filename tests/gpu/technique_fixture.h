@@ -36,6 +36,9 @@ std::vector<float> visibility(const Scene& scene, const std::string& technique,
 /// A light of `type` 4 above the origin, about `size` across (sun: tangent of the half angle size / 8).
 Light light_at_4(LightType type, double size);
 
+/// The light that tests of every technique give it where any will do: rect where it can, else the first it supports.
+LightType any_light(const Technique& technique);
+
 /// A floor at y = 0 and, 1.5 above it, a plate over all x < 0, seen from below the plate.
 Scene half_plane_scene(const Light& light);
 /// Share of a light at height 4 that a floor point sees past the edge x = 0 at height 1.5; sun: overhead.

@@ -3,7 +3,7 @@
 // size, an earlier run. And what must not be paid for: resources and passes that the parameters make useless. The
 // complaints behind this list are in the issue trackers of most engines.
 
-#include "realtime/manifest/expression.h"
+#include "realtime/graph/expression.h"
 #include "realtime/manifest/names.h"
 #include "realtime/manifest/technique.h"
 #include "realtime/realtime.h"
@@ -32,7 +32,7 @@ bool has_parameter(const Technique& technique, const std::string& name) {
 }
 
 Light light_for(const Technique& technique) {
-  return light_at_4(technique.supports(LightType::rect) ? LightType::rect : technique.lights.front(), 0.5);
+  return light_at_4(any_light(technique), 0.5);
 }
 
 struct Score {
@@ -167,28 +167,38 @@ ExpressionVariables variables_for(const Technique& technique, const ParameterVal
   variables["light.type"] = static_cast<double>(light.type);
   for (const LightType type : {LightType::rect, LightType::disk, LightType::sphere, LightType::sun})
     variables[fmt::format("light.{}", to_text(type))] = static_cast<double>(type);
+  // No size or condition may hang on these; values need some.
+  for (const auto& [name, value] :
+       {std::pair("scene.diagonal", 20.0), std::pair("camera.near", 0.01), std::pair("camera.far", 20.0),
+        std::pair("receivers.near", 1.0), std::pair("receivers.far", 10.0)})
+    variables[name] = value;
+  for (const ValueDeclaration& value : technique.values)
+    variables[value.name] = value.value.evaluate(variables);
   return variables;
 }
 
-double value_or(const ExpressionText& expression, const ExpressionVariables& variables, double otherwise) {
-  return expression.text.empty() ? otherwise : evaluate_expression(expression.text, variables);
+double value_or(const Expression& expression, const ExpressionVariables& variables, double otherwise) {
+  return expression.is_empty() ? otherwise : expression.evaluate(variables);
 }
 
-bool is_on(const std::string& condition, const ExpressionVariables& variables) {
-  return condition.empty() || evaluate_expression(condition, variables) != 0.0;
+bool is_on(const Expression& condition, const ExpressionVariables& variables) {
+  return value_or(condition, variables, 1.0) != 0.0;
 }
 
 uint64_t bytes_of(const ResourceDeclaration& resource, const ExpressionVariables& variables) {
-  auto width = static_cast<uint64_t>(evaluate_expression(resource.width.text, variables));
-  auto height = static_cast<uint64_t>(evaluate_expression(resource.height.text, variables));
+  auto width = static_cast<uint64_t>(resource.width.evaluate(variables));
+  auto height = static_cast<uint64_t>(resource.height.evaluate(variables));
   const auto levels = static_cast<int>(value_or(resource.levels, variables, 1));
   const auto samples = static_cast<uint64_t>(value_or(resource.samples, variables, 1));
+  const auto layers = resource.kind == TextureKind::cube
+                          ? uint64_t{6}
+                          : static_cast<uint64_t>(value_or(resource.layers, variables, 1));
   const uint64_t texel = kTexelBytes.at(resource.format);
   const uint64_t several = samples > 1 ? samples * width * height * texel : 0;
   if (several > 0 && resource.format == "depth32f") return several;  // is not resolved
   uint64_t bytes = 0;
   for (int level = 0; level < levels; ++level) {
-    bytes += width * height * texel;
+    bytes += width * height * layers * texel;
     width = std::max<uint64_t>(1, width / 2);
     height = std::max<uint64_t>(1, height / 2);
   }
@@ -200,11 +210,11 @@ void collect_running(const std::vector<PassDeclaration>& passes, ExpressionVaria
                      std::vector<const PassDeclaration*>& running) {
   for (const PassDeclaration& pass : passes) {
     if (!is_on(pass.condition, variables)) continue;
-    if (pass.kind != "loop") {
+    if (pass.kind != PassKind::loop) {
       if (std::ranges::find(running, &pass) == running.end()) running.push_back(&pass);
       continue;
     }
-    const auto count = static_cast<int>(evaluate_expression(pass.loop_count.text, variables));
+    const auto count = static_cast<int>(pass.loop_count.evaluate(variables));
     variables[pass.loop_variable + "_count"] = count;
     for (int i = 0; i < count; ++i) {
       variables[pass.loop_variable] = i;

@@ -129,6 +129,9 @@ TEST_P(EachTechnique, has_no_parameter_without_effect) {
   UMBRAMETER_REQUIRE_GL();
   const auto all = techniques();
   const Technique& technique = *std::ranges::find(all, GetParam(), &Technique::id);
+  const LightType type = any_light(technique);
+  const Scene scene = busy_scene(type == LightType::rect ? rect_light_above({0.5, 4, 0.3}, {1.0, 0.5})
+                                                         : light_at_4(type, 1.0));
   std::vector<const Parameter*> silent;
   for (const Parameter& parameter : technique.parameters) silent.push_back(&parameter);
   for (const Light& light : {rect_light_above({0.5, 4, 0.3}, {1.0, 0.5}), sun_light({0.3, 1, 0.2}, 0.05)}) {
@@ -174,8 +177,10 @@ TEST(every_technique, visibility_is_finite_and_between_0_and_1_for_every_light) 
 
 TEST(every_technique, is_deterministic_for_a_seed) {
   UMBRAMETER_REQUIRE_GL();
-  const Scene scene = busy_scene(disk_light_above({0.5, 4, 0.3}, 0.5));
   for (const Technique& technique : techniques()) {
+    const bool takes_disk = technique.supports(LightType::disk);
+    const Scene scene =
+        busy_scene(takes_disk ? disk_light_above({0.5, 4, 0.3}, 0.5) : light_at_4(any_light(technique), 1.0));
     const auto first = visibility(scene, technique.id, quick(technique, kMapSize, kLightSamples), 7);
     EXPECT_EQ(first, visibility(scene, technique.id, quick(technique, kMapSize, kLightSamples), 7))
         << technique.id;
@@ -195,6 +200,11 @@ TEST(every_technique, background_is_lit_and_surfaces_turned_away_are_dark) {
   scene.lights = {light};
   finish_scene(scene);
   for (const Technique& technique : techniques()) {
+    const LightType type = any_light(technique);
+    scene.lights = {light};
+    if (type == LightType::sphere) scene.lights = {sphere_light({0, 0, -3}, 0.25)};
+    if (type == LightType::sun) scene.lights = {sun_light({0, 0, -1}, 0.05)};
+    finish_scene(scene);
     const Frame frame = render(scene, technique.id, quick(technique, kMapSize, kLightSamples));
     const auto v = frame.image.plane("visibility");
     const auto id = frame.image.plane("primitive_id");
@@ -203,12 +213,17 @@ TEST(every_technique, background_is_lit_and_surfaces_turned_away_are_dark) {
   }
 }
 
+/// A rect and a sun stand for all lights; techniques that do not take the one are tried with a sphere.
+bool is_tried(const Technique& technique, LightType type) {
+  return technique.supports(type) && (type != LightType::sphere || !technique.supports(LightType::rect));
+}
+
 TEST(every_technique, a_plane_does_not_shadow_itself_at_any_slope) {
   UMBRAMETER_REQUIRE_GL();
   // All of the light stays above the horizon: at 75 deg and distance 4 it is 4 cos 75 = 1.04 away from the
   // plane.
   for (const double angle_deg : {0.0, 30.0, 60.0, 75.0}) {
-    for (const LightType type : {LightType::rect, LightType::sun}) {
+    for (const LightType type : {LightType::rect, LightType::sphere, LightType::sun}) {
       Scene scene;
       add_floor(scene, {3, 3});
       scene =
@@ -219,6 +234,7 @@ TEST(every_technique, a_plane_does_not_shadow_itself_at_any_slope) {
       scene.camera.at_world = {0, 0, 0};
       finish_scene(scene);
       for (const Technique& technique : techniques()) {
+        if (!is_tried(technique, type)) continue;
         for (const float v : visibility(scene, technique.id, quick(technique, kMapSize, kLightSamples))) {
           ASSERT_EQ(v, 1.0f) << technique.id << " at " << angle_deg << " deg, " << to_text(type);
         }
@@ -238,9 +254,10 @@ TEST(every_technique, answer_does_not_depend_on_the_unit_of_length) {
   UMBRAMETER_REQUIRE_GL();
   // A power of two scales floats without rounding; bias_world is 0 by default and everything else is
   // relative.
-  for (const LightType type : {LightType::rect, LightType::sun}) {
+  for (const LightType type : {LightType::rect, LightType::sphere, LightType::sun}) {
     const Scene scene = busy_scene(light_at_4(type, 0.5));
     for (const Technique& technique : techniques()) {
+      if (!is_tried(technique, type)) continue;
       const auto scaled =
           visibility(scaled_scene(scene, 64.0), technique.id, quick(technique, kMapSize, kLightSamples));
       EXPECT_LT(
@@ -256,9 +273,10 @@ TEST(every_technique, answer_moves_with_the_scene) {
   // A quarter turn about y and a shift by powers of two keep the floats; maps and patterns turn along.
   const glm::dmat4 motion = glm::translate(glm::dmat4(1.0), glm::dvec3(8, -4, 16)) *
                             glm::rotate(glm::dmat4(1.0), glm::radians(90.0), glm::dvec3(0, 1, 0));
-  for (const LightType type : {LightType::rect, LightType::sun}) {
+  for (const LightType type : {LightType::rect, LightType::sphere, LightType::sun}) {
     const Scene scene = busy_scene(light_at_4(type, 0.5));
     for (const Technique& technique : techniques()) {
+      if (!is_tried(technique, type)) continue;
       const auto moved =
           visibility(moved_scene(scene, motion), technique.id, quick(technique, kMapSize, kLightSamples));
       // Shadow outlines may fall to the other side of a texel: a few per cent of the picture are outline.

@@ -29,9 +29,7 @@ float search_texel_lateral() { return 2.0 * texel_lateral(view_light); }
 #else
 
 bool find_search_blocker(Receiver receiver, vec2 lateral, out vec2 lateral_blocker, out float z_blocker) {
-  ivec2 texel = texel_at(view_light, lateral);
-  lateral_blocker = lateral_of_texel(view_light, vec2(texel) + 0.5);
-  return find_blocker(shadow_map, view_light, receiver, texel, z_blocker);
+  return find_blocker_at(shadow_map, view_light, receiver, lateral, lateral_blocker, z_blocker);
 }
 
 float search_texel_lateral() { return texel_lateral(view_light); }

@@ -26,8 +26,9 @@ float tap_lit(AreaLight light, Receiver receiver, vec2 kernel, vec3 ray, float z
 #ifdef BILINEAR_TAPS
   if (BILINEAR_TAPS != 0) return bilinear_lit(shadow_map, view_light, receiver, texel_position(view_light, lateral));
 #endif
+  vec2 lateral_met;
   float z_met;
-  bool is_met = find_blocker(shadow_map, view_light, receiver, texel_at(view_light, lateral), z_met);
+  bool is_met = find_blocker_at(shadow_map, view_light, receiver, lateral, lateral_met, z_met);
 #ifdef FILTER_CONE
   if (FILTER_CONE != 0 && is_met) is_met = z_met < cone_distance(light, view_light, receiver, kernel, z_blocker);
 #endif

@@ -28,6 +28,14 @@ bool is_blocked(sampler2D map, LightViewData view, Receiver receiver, ivec2 texe
 
 ivec2 texel_at(LightViewData view, vec2 lateral) { return ivec2(floor(texel_position(view, lateral))); }
 
+/// The same of the texel that holds `lateral`, and where its centre lies.
+bool find_blocker_at(sampler2D map, LightViewData view, Receiver receiver, vec2 lateral, out vec2 lateral_center,
+                     out float z_blocker) {
+  ivec2 texel = texel_at(view, lateral);
+  lateral_center = lateral_of_texel(view, vec2(texel) + 0.5);
+  return find_blocker(map, view, receiver, texel, z_blocker);
+}
+
 /// The comparisons of the four texels around `p_texels`, weighted as bilinear filtering weighs them: compared first,
 /// each at its own texel's centre, then blended.
 float bilinear_lit(sampler2D map, LightViewData view, Receiver receiver, vec2 p_texels) {

@@ -34,10 +34,11 @@ struct LightViewData {
   vec4
       lateral_bounds;  // x min, y min, x max, y max: x/z, y/z when perspective, world units when orthographic
   vec4 depth_range;    // near_world, far_world, is_orthographic (0 or 1), texels a side
+  vec4 slice_world;    // from, to: the distances along the camera's axis that it covers; 0, 0: all; 0, 0
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(FrameData) == 208 && sizeof(LightViewData) == 160);
+static_assert(sizeof(FrameData) == 208 && sizeof(LightViewData) == 176);
 static_assert(offsetof(FrameData, eye_world) == 64 && offsetof(FrameData, light_center_world) == 80);
 static_assert(offsetof(FrameData, light_tangent_world) == 96 &&
               offsetof(FrameData, light_bitangent_world) == 112);
@@ -46,5 +47,6 @@ static_assert(offsetof(FrameData, light_type) == 160 && offsetof(FrameData, scre
 static_assert(offsetof(FrameData, receiver_plane_world) == 192);
 static_assert(offsetof(LightViewData, clip_from_light) == 64);
 static_assert(offsetof(LightViewData, lateral_bounds) == 128 && offsetof(LightViewData, depth_range) == 144);
+static_assert(offsetof(LightViewData, slice_world) == 160);
 }  // namespace umbrameter
 #endif

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Without these, a size or a condition of a manifest could silently mean something else than it says.
 
-#include "realtime/manifest/expression.h"
+#include "realtime/graph/expression.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace umbrameter {
 namespace {
 
 double value_of(std::string_view text, const ExpressionVariables& variables = {}) {
-  return evaluate_expression(text, variables, {"technique.toml", 7, 3});
+  return Expression(text, {"technique.toml", 7, 3}).evaluate(variables);
 }
 
 std::string error_of(std::string_view text, const ExpressionVariables& variables = {}) {
@@ -115,10 +115,24 @@ TEST(Expression, DeepNestingIsAnErrorNotACrash) {
   EXPECT_THAT(error_of(std::string(100000, '-')), testing::HasSubstr("nested levels"));
 }
 
+TEST(Expression, LongChainsAreAnErrorNotACrash) {
+  std::string chain = "1";
+  for (int i = 0; i < 100000; ++i) chain += "+1";
+  EXPECT_THAT(error_of(chain), testing::HasSubstr("more than 1000 terms"));
+}
+
+TEST(Expression, IsReadOnceAndEvaluatedForManyVariables) {
+  const Expression area("side * side");
+  EXPECT_EQ(area.evaluate({{"side", 3.0}}), 9.0);
+  EXPECT_EQ(area.evaluate({{"side", 5.0}}), 25.0);
+  EXPECT_FALSE(area.is_empty());
+  EXPECT_TRUE(Expression().is_empty());
+}
+
 TEST(Expression, NamesAreListedWithoutEvaluating) {
-  EXPECT_THAT(expression_names("a / 0 + max(b.c, a) + (d ? e : 1)"),
+  EXPECT_THAT(Expression("a / 0 + max(b.c, a) + (d ? e : 1)").names(),
               testing::ElementsAre("a", "b.c", "d", "e"));
-  EXPECT_THROW(expression_names("a +"), Error);
+  EXPECT_THROW(Expression("a +"), Error);
 }
 
 // Random strings over the alphabet of the language end in a finite value or in Error{input}, nothing else.

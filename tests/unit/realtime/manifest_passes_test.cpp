@@ -125,6 +125,77 @@ TEST(Manifest, LoopsNeedVariableCountAndBody) {
               HasSubstr("unknown name 'i'"));
 }
 
+constexpr std::string_view kFamily = "name = \"light\"\ncount = 3\nvariable = \"k\"\nfrom = \"light.center\"";
+
+TEST(Manifest, PassesSayWhichOfAFamilyOfViewsTheyDrawFrom) {
+  TechniqueFolder folder;
+  const std::string family =
+      replaced(whole_manifest(), "name = \"light\"\nfrom = \"light.center\"", std::string(kFamily));
+  EXPECT_THAT(error_of(folder, family),
+              AllOf(HasSubstr("pass 'map' draws from the views 'light' and does not say from which"),
+                    HasSubstr("view_index")));
+  EXPECT_EQ(error_of(folder, replaced(family, "view = \"light\"", "view = \"light\"\nview_index = 2")),
+            "no error");
+  EXPECT_THAT(error_of(folder, replaced(family, "view = \"light\"",
+                                        "view = \"light\"\nview_index = 2\nviews = [\"light\"]")),
+              HasSubstr("lists them all in 'views'"));
+  EXPECT_THAT(error_after("view = \"light\"", "view = \"light\"\nview_index = 0"),
+              HasSubstr("has a 'view_index', but 'light' is a single view"));
+  EXPECT_THAT(error_of(folder, replaced(family, "variable = \"k\"", "variable = \"taps\"")),
+              HasSubstr("'taps' means something else already"));
+  EXPECT_THAT(error_of(folder, replaced(family, "variable = \"k\"\n", "")), HasSubstr("variable"));
+}
+
+TEST(Manifest, FacesAndSlicesFitTheirLights) {
+  EXPECT_THAT(error_after("from = \"light.center\"\nfit = \"map_fit\"", "from = \"light.face(0)\""),
+              HasSubstr("looks through the faces of a cube, which a sun has not"));
+  EXPECT_THAT(error_after("from = \"light.center\"", "from = \"light.face(0)\""),
+              AllOf(HasSubstr("a face of the light's cube has no 'fit'"), HasSubstr("leave it out")));
+  EXPECT_THAT(error_after("from = \"light.center\"", "from = \"light.side(0)\""),
+              HasSubstr("light.face(<expression>)"));
+  EXPECT_THAT(error_after("size = \"map_size\"\n\n[[resource]]",
+                          "slice_world = [0, 1]\nsize = \"map_size\"\n\n[[resource]]"),
+              HasSubstr("covers a slice of the frustum, which only a sun's can"));
+  EXPECT_THAT(error_after("size = \"map_size\"\n\n[[resource]]",
+                          "slice_world = [0]\nsize = \"map_size\"\n\n[[resource]]"),
+              HasSubstr("'slice_world' must be a list of two expressions"));
+  EXPECT_THAT(error_after("choices = [\"visible\", \"scene\"]", "choices = [\"scene\", \"sphere\"]"),
+              HasSubstr("has the fit 'sphere' without a slice"));
+}
+
+TEST(Manifest, LayersAreWrittenOneByOne) {
+  const auto with = [](const std::string& resource, const std::string& pass) {
+    TechniqueFolder folder;
+    std::string manifest = replaced(whole_manifest(), "format = \"depth32f\"", resource);
+    return error_of(folder,
+                    replaced(manifest, "writes = [\"shadow_map\"]", "writes = [\"shadow_map\"]\n" + pass));
+  };
+  const std::string array = "format = \"depth32f\"\nkind = \"array\"\nlayers = 2";
+  EXPECT_EQ(with(array, "write_layer = 1"), "no error");
+  EXPECT_EQ(with("format = \"depth32f\"\nkind = \"cube\"", "write_layer = 5"), "no error");
+  EXPECT_THAT(with(array, ""), HasSubstr("writes 'shadow_map' and does not say which layer"));
+  EXPECT_THAT(with("format = \"depth32f\"", "write_layer = 0"),
+              HasSubstr("has a 'write_layer', but writes nothing with layers"));
+  EXPECT_THAT(with("format = \"depth32f\"\nkind = \"array\"", "write_layer = 0"), HasSubstr("layers"));
+  EXPECT_THAT(with("format = \"depth32f\"\nkind = \"cube\"\nlayers = 6", "write_layer = 0"),
+              AllOf(HasSubstr("only kind = \"array\" has 'layers'"), HasSubstr("six")));
+  EXPECT_THAT(with("format = \"depth32f\"\nkind = \"3d\"", "write_layer = 0"), HasSubstr("3d"));
+}
+
+TEST(Manifest, ValuesAreUsedAndNamedOnce) {
+  const auto with = [](const std::string& value, const std::string& width) {
+    TechniqueFolder folder;
+    const std::string manifest = replaced(whole_manifest(), "[[view]]", "[[value]]\n" + value + "\n[[view]]");
+    return error_of(folder, replaced(manifest, "width = \"map_size\"", "width = \"" + width + "\""));
+  };
+  EXPECT_EQ(with("name = \"side\"\nvalue = \"2 * map_size\"", "side"), "no error");
+  EXPECT_THAT(with("name = \"side\"\nvalue = \"2 * map_size\"", "map_size"),
+              HasSubstr("value 'side' is never used"));
+  EXPECT_THAT(with("name = \"taps\"\nvalue = 2", "map_size"),
+              HasSubstr("'taps' means something else already"));
+  EXPECT_THAT(with("name = \"side\"\nvalue = \"2 * side\"", "side"), HasSubstr("unknown name 'side'"));
+}
+
 TEST(Manifest, SampleViewsOfALoopStayInIt) {
   TechniqueFolder folder;
   std::string manifest = replaced(whole_manifest(), "from = \"light.center\"", "from = \"light.sample(i)\"");

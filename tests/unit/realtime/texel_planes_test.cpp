@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 namespace umbrameter {
 namespace {
 
@@ -35,7 +37,7 @@ FittedView view_down(bool is_orthographic) {
 
 TEST(TexelPlanes, perspective_texels_grow_with_distance) {
   Image image = points({1.0f, -4.0f, 2.0f});
-  add_texel_planes(view_down(false), image);
+  add_texel_planes(std::array{view_down(false)}, image);
   // x/z = .25: (.25 + 1) / 2 of 100 texels; y/z = .5: (.5 + 2) / 4.
   EXPECT_FLOAT_EQ(image.plane("texel.x")[0], 62.5f);
   EXPECT_FLOAT_EQ(image.plane("texel.y")[0], 62.5f);
@@ -44,7 +46,7 @@ TEST(TexelPlanes, perspective_texels_grow_with_distance) {
 
 TEST(TexelPlanes, biases_add_up_in_world_units) {
   Image image = points({1.0f, -4.0f, 2.0f});
-  add_texel_planes(view_down(false), image);
+  add_texel_planes(std::array{view_down(false)}, image);
   add_bias_plane({{"bias_world", 0.5}, {"bias_texels", 2.0}, {"normal_offset_texels", 1.0}}, image);
   EXPECT_FLOAT_EQ(image.plane("bias_world")[0], 0.5f + 3.0f * 0.16f);
   EXPECT_EQ(image.plane("bias_world")[1], 0.0f);  // background
@@ -55,7 +57,7 @@ TEST(TexelPlanes, without_a_manual_bias_there_is_none) {
        {ParameterValues{{"taps", int64_t{4}}},
         ParameterValues{{"bias_mode", std::string("auto")}, {"bias_texels", 2.0}}}) {
     Image image = points({1.0f, -4.0f, 2.0f});
-    add_texel_planes(view_down(false), image);
+    add_texel_planes(std::array{view_down(false)}, image);
     add_bias_plane(parameters, image);
     EXPECT_FALSE(image.has("bias_world"));
   }
@@ -63,7 +65,7 @@ TEST(TexelPlanes, without_a_manual_bias_there_is_none) {
 
 TEST(TexelPlanes, orthographic_texels_do_not) {
   Image image = points({0.5f, -4.0f, 1.0f});
-  add_texel_planes(view_down(true), image);
+  add_texel_planes(std::array{view_down(true)}, image);
   EXPECT_FLOAT_EQ(image.plane("texel.x")[0], 75.0f);
   EXPECT_FLOAT_EQ(image.plane("texel.y")[0], 75.0f);
   EXPECT_FLOAT_EQ(image.plane("texel_world")[0], 0.04f);
@@ -71,7 +73,7 @@ TEST(TexelPlanes, orthographic_texels_do_not) {
 
 TEST(TexelPlanes, background_and_what_lies_behind_the_light_have_none) {
   Image image = points({1.0f, 4.0f, 2.0f});
-  add_texel_planes(view_down(false), image);
+  add_texel_planes(std::array{view_down(false)}, image);
   for (const float width : image.plane("texel_world")) EXPECT_EQ(width, 0.0f);
 }
 

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// The parts of a plan that people look into.
+
+#include "realtime/executor/plan.h"
+#include "realtime/inspect.h"
+
+#include <vector>
+
+namespace umbrameter {
+
+/// Error{input} for a texture that the run does not have or that cannot be read, or a layer or level it has not.
+const Texture& find_part(const Technique& technique, const Targets& targets, const ResourcePart& part);
+
+/// The shaders of a plan's passes, each text once.
+std::vector<FinalShader> final_shaders(const Plan& plan);
+
+}  // namespace umbrameter

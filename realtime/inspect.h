@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// What a run of a technique is made of, for people who look into it: what its textures hold, what its shaders say.
+
+#include "core/image.h"
+#include "core/renderer.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace umbrameter {
+
+/// A texture of a technique, one layer and level of it.
+struct ResourcePart {
+  std::string resource;  // as the manifest calls it; gbuffer.* and visibility too
+  int layer = 0;         // of an array; of a cube its face, 0 to 5: +x, -x, +y, -y, +z, -z
+  int level = 0;
+};
+
+/// "shadow_map", "shadow_map:2" or "shadow_map:2:1": name, layer, level. Error{input} otherwise.
+ResourcePart parse_resource_part(std::string_view whole);
+
+/// What the texture holds after a frame, row 0 on top: channels R, G, B, A as far as it has them, or Y for a single one.
+/// Depth as it is stored: near 1, far 0. Error{input} for a resource that this run does not have, or a layer or level
+/// that the resource does not. `renderer` is one of make_realtime_renderer().
+Image dump_resource(Renderer& renderer, const Scene& scene, const RenderRequest& request,
+                    const ResourcePart& part, Progress& progress);
+
+/// A shader as it went to the driver, generated prelude and includes in it.
+struct FinalShader {
+  std::string pass;   // the first pass that uses it
+  std::string stage;  // "vertex", "fragment"
+  std::string text;
+};
+
+/// Those of a run, in the order of its passes.
+std::vector<FinalShader> final_shaders(Renderer& renderer, const Scene& scene, const RenderRequest& request);
+
+}  // namespace umbrameter
