@@ -8,6 +8,8 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+
 namespace umbrameter {
 namespace {
 
@@ -73,6 +75,26 @@ TEST_F(GlTuneCommand, TruthsAreRenderedOnce) {
   const Json without = tune({"--out", "best", "--no-reuse"}, false);
   EXPECT_EQ(tune({"--out", "best"}, true), without);
   EXPECT_EQ(tune({"--out", "best", "--no-reuse"}, false), without);
+}
+
+TEST_F(GlTuneCommand, FindsTheLightsSizeAloneAndTogetherWithABias) {
+  write_scene("scene.toml");
+  for (const std::string parameters : {"light_size_scale", "light_size_scale,bias_texels"}) {
+    const ProcessResult tuned = umbrameter(
+        {"tune", "scene.toml", "--technique",
+         "pcss:light_size_scale=3,bias_texels=8,filter_taps=64,search_taps=64,map_size=512", "--parameters",
+         parameters, "--evaluations", "40", "--cameras", "1", "--width", "160", "--height", "90", "--spp", "64",
+         "--out", "best", "--json"});
+    ASSERT_EQ(tuned.exit_code, 0) << tuned.err;
+    const Json json = Json::parse(tuned.out);
+    EXPECT_NEAR(std::log2(json["best"]["parameters"]["light_size_scale"].get<double>()), 0.0, 0.3) << parameters;
+    const Json& given = json["light_size_sweep"][0];
+    EXPECT_EQ(given["beside"], "given");
+    ASSERT_TRUE(given["has_window"]) << parameters;
+    EXPECT_LT(given["hard_free_from"], 1.0);
+    EXPECT_GT(given["soft_free_to"], 1.0);
+    EXPECT_LT(given["soft_free_to"], 3.0);
+  }
 }
 
 TEST_F(TuneCommand, MistakesAreFoundBeforeAnythingIsRendered) {
