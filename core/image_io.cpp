@@ -2,6 +2,7 @@
 #include "core/image_io.h"
 
 #include "core/error.h"
+#include "core/file_hint.h"
 #include "core/files.h"
 
 #include <OpenImageIO/filesystem.h>
@@ -79,7 +80,7 @@ Image read_opened(const std::unique_ptr<OIIO::ImageInput>& input, const std::str
 
 Image read_image(const std::filesystem::path& path) {
   const std::string file = path.string();
-  if (!std::filesystem::exists(path)) fail_input("the file does not exist", {file});
+  if (!std::filesystem::exists(path)) fail_input("the file does not exist", {file}, hint_for_missing(path));
   return read_opened(OIIO::ImageInput::open(file), file);
 }
 
