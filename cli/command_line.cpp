@@ -36,6 +36,23 @@ std::string usage_problem(const CLI::App& app, const CLI::ParseError& error) {
   return fmt::format("unknown command '{}' ({})", unknown.front(), suggest_name(unknown.front(), known));
 }
 
+struct Group {
+  const char* title;
+  std::vector<const char*> verbs;
+};
+
+/// The headings of --help; a verb that none of them lists stands under CLI11's own.
+void group_verbs(CLI::App& app) {
+  const Group groups[] = {{"Measure", {"validate", "score", "bench", "tune"}},
+                          {"Studies of many runs", {"plan", "sweep", "merge", "export", "report"}},
+                          {"Guard against regressions", {"regress", "stress", "selftest"}},
+                          {"Look at one thing", {"reference", "render", "scene", "techniques"}},
+                          {"Help", {"doctor", "help"}}};
+  for (const Group& group : groups) {
+    for (const char* name : group.verbs) app.get_subcommand(name)->group(group.title);
+  }
+}
+
 }  // namespace
 
 std::optional<int> parse_command_line(int argc, const char* const* argv, CLI::App& app, CommandLine& line) {
@@ -65,6 +82,8 @@ std::optional<int> parse_command_line(int argc, const char* const* argv, CLI::Ap
   add_regress(app, line);
   add_stress(app, line);
   add_doctor(app, line);
+  add_help(app, line);
+  group_verbs(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

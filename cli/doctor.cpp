@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/console.h"
+#include "cli/exact_program.h"
 #include "cli/home.h"
 #include "core/error.h"
 #include "core/version.h"
@@ -15,6 +16,42 @@ namespace umbrameter {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+/// A part that this machine lacks: what is lost and what would bring it.
+struct Missing {
+  std::string loss;
+  std::string remedy;
+};
+
+std::vector<Missing> find_missing(const std::vector<SceneEntry>& scenes,
+                                  const std::vector<GlDevice>& devices) {
+  std::vector<Missing> missing;
+  const auto without =
+      std::ranges::count_if(scenes, [](const SceneEntry& entry) { return !entry.missing_assets.empty(); });
+  if (without > 0) {
+    missing.push_back({fmt::format("{} of {} scenes lack their models", without, scenes.size()),
+                       "put the OBJ files that 'scene list --json' names into a folder and give --assets or "
+                       "UMBRAMETER_ASSETS"});
+  }
+  const auto is_usable_gpu = [](const GlDevice& d) { return d.problem.empty() && d.is_hardware; };
+  if (std::ranges::none_of(devices, is_usable_gpu)) {
+    missing.push_back({"no GPU: times are those of a software rasteriser",
+                       "install the GPU's EGL driver; pictures and errors are valid without"});
+  }
+  if (!find_exact_program()) {
+    missing.push_back({"umbrameter-exact is not beside this program: no 'reference --exact-check'",
+                       "install the package umbrameter-exact, or build the target of that name"});
+  }
+  return missing;
+}
+
+std::string verdict_text(const std::vector<Missing>& missing) {
+  if (missing.empty()) return "verdict        all is well: both renderers work and nothing is missing\n";
+  std::string text = "verdict        both renderers work; without these parts:\n";
+  for (const auto& [loss, remedy] : missing)
+    text += fmt::format("  - {}\n    to have it: {}\n", loss, remedy);
+  return text;
+}
 
 /// Both renderers, run once on the first built-in scene.
 struct Trial {
@@ -78,17 +115,22 @@ int doctor(const GlobalOptions& global) {
   text += fmt::format("library        {}: {} scenes, {} of them without their assets\nassets         {}\n",
                       home.library.string(), scenes.size(), missing, assets);
   Json devices = Json::array();
-  for (const GlDevice& device : list_gl_devices()) {
+  const std::vector<GlDevice> all_devices = list_gl_devices();
+  for (const GlDevice& device : all_devices) {
     devices.push_back(device_json(device));
     text += device_text(device);
   }
   if (!global.json) print_answer(text);
   const Trial trial = try_renderers(global, home, search);
+  const std::vector<Missing> missing_parts = find_missing(scenes, all_devices);
   if (!global.json) {
     print_answer(fmt::format("trial          '{}' by {} and {}, timed by {}\n", trial.scene,
                              trial.reference_device, trial.realtime_device, trial.timer));
+    print_answer(verdict_text(missing_parts));
     return kExitFine;
   }
+  Json lacking = Json::array();
+  for (const auto& [loss, remedy] : missing_parts) lacking.push_back({{"loss", loss}, {"remedy", remedy}});
   print_json({{"version", kVersion},
               {"commit", kCommit},
               {"embree", UMBRAMETER_EMBREE_VERSION},
@@ -100,7 +142,8 @@ int doctor(const GlobalOptions& global) {
               {"gl_devices", devices},
               {"reference_device", trial.reference_device},
               {"realtime_device", trial.realtime_device},
-              {"timer", trial.timer}});
+              {"timer", trial.timer},
+              {"missing", lacking}});
   return kExitFine;
 }
 

@@ -1,14 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/exact_check.h"
 
-#include "core/clock.h"
 #include "reference/reference.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <sys/resource.h>
+
 namespace umbrameter {
 namespace {
+
+/// Of the processes that this one started and that have ended.
+double children_cpu_seconds() {
+  rusage usage{};
+  getrusage(RUSAGE_CHILDREN, &usage);
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
 
 std::string describe(const CheckedPoint& point) {
   return fmt::format("pixel ({}, {}): {:.6f} where {:.6f} is true, standard error {:.6f}", point.x_px,
@@ -28,16 +39,16 @@ nlohmann::json to_json(const CheckedPoint& point) {
 }  // namespace
 
 ExactCheck run_exact_check(const Scene& scene, const Image& reference, const RenderRequest& request,
-                           size_t count, int threads, Progress& progress) {
+                           size_t count, const ExactOracle& oracle, int threads, Progress& progress) {
   // Strata from the picture under test would choose points by their errors; another seed's owe it nothing.
   RenderRequest pilot = request;
   pilot.seed = ~request.seed;
   const Frame frame = make_reference_renderer({64, {}, threads})->render(scene, pilot, progress);
   ExactCheck check;
   const std::vector<size_t> pixels = draw_check_pixels(frame.image, count, request.seed);
-  const double before_s = process_cpu_seconds();
-  check.points = check_pixels(scene, reference, pixels, threads, progress);
-  check.cpu_time_s = process_cpu_seconds() - before_s;
+  const double before_s = children_cpu_seconds();
+  check.points = check_pixels(scene, reference, pixels, oracle, threads, progress);
+  check.cpu_time_s = children_cpu_seconds() - before_s;
   check.comparison = compare_with_exact(check.points);
   return check;
 }

@@ -4,8 +4,7 @@
 
 #include "cli/quality.h"
 #include "core/renderer.h"
-#include "reference/exact/exact_check.h"
-#include "scenes/scene.h"
+#include "reference/exact_check.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -14,12 +13,12 @@ namespace umbrameter {
 struct ExactCheck {
   std::vector<CheckedPoint> points;
   ExactComparison comparison;
-  double cpu_time_s = 0.0;  // of the oracle
+  double cpu_time_s = 0.0;  // of the oracle, a process that has ended
 };
 
-/// Compares `reference`, rendered to `request`, with the exact oracle at `count` of its pixels.
+/// Compares `reference`, rendered to `request`, with `oracle` at `count` of its pixels.
 ExactCheck run_exact_check(const Scene& scene, const Image& reference, const RenderRequest& request,
-                           size_t count, int threads, Progress& progress);
+                           size_t count, const ExactOracle& oracle, int threads, Progress& progress);
 
 std::string describe(const ExactCheck& check);
 nlohmann::json to_json(const ExactCheck& check);

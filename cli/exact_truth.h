@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Exact visibilities for study/stress, from the CGAL oracle.
+// Exact visibilities for study/stress.
 
+#include "reference/exact_answer.h"
 #include "study/stress/truth_check.h"
 
 namespace umbrameter {
 
-/// Exact for rectangles over a few hundred triangles; says nothing of other scenes. Triangles in the receiver's own plane,
-/// as far as floats can tell, block nothing.
-TruthOracle exact_oracle();
+/// `oracle` asked, exact for rectangles over a few hundred triangles; says nothing of other scenes. Triangles in the
+/// receiver's own plane, as far as floats can tell, block nothing.
+TruthOracle exact_truth(const ExactOracle& oracle);
 
 }  // namespace umbrameter

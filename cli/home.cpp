@@ -2,14 +2,13 @@
 #include "cli/home.h"
 
 #include "cli/preset_file.h"
+#include "core/data_folder.h"
 #include "core/error.h"
 #include "realtime/realtime.h"
 #include "scenes/choose_light.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-
-#include <cstdlib>
 
 namespace umbrameter {
 namespace {
@@ -67,16 +66,8 @@ std::string request_text(const std::string& id_or_path) {
 }  // namespace
 
 Home find_home() {
-  const char* chosen = std::getenv("UMBRAMETER_HOME");
-  const std::filesystem::path root = chosen != nullptr && *chosen != '\0' ? chosen : UMBRAMETER_SOURCE_DIR;
-  const Home home{root / "scenes" / "library", root / "realtime" / "techniques",
-                  root / "realtime" / "shaders"};
-  for (const auto& folder : {home.library, home.techniques, home.shaders}) {
-    if (std::filesystem::is_directory(folder)) continue;
-    fail_environment(fmt::format("'{}' is not there", folder.string()),
-                     "set UMBRAMETER_HOME to the folder that holds scenes/library and realtime");
-  }
-  return home;
+  const std::filesystem::path root = find_data_folder(program_file());
+  return {root / "scenes" / "library", root / "realtime" / "techniques", root / "realtime" / "shaders"};
 }
 
 SceneSearch scene_search(const GlobalOptions& options, const Home& home) {

@@ -22,7 +22,7 @@ struct Home {
   std::filesystem::path shaders;
 };
 
-/// UMBRAMETER_HOME when set, else where it was built; Error{environment} when the folders are not there.
+/// As find_data_folder() (core/data_folder.h) says.
 Home find_home();
 
 /// The library and the assets folder; Error{input} when the assets folder does not exist.

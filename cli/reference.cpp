@@ -2,6 +2,7 @@
 
 #include "cli/console.h"
 #include "cli/exact_check.h"
+#include "cli/exact_program.h"
 #include "cli/home.h"
 #include "cli/light_option.h"
 #include "cli/progress_bar.h"
@@ -49,7 +50,11 @@ int render_reference(const ReferenceOptions& options, const GlobalOptions& globa
   const Quality quality = choose_quality(options.quality);
   const SceneSearch search = scene_search(global, find_home());
   const SceneJob job = load_scene_job(options.scene, search);
-  if (options.exact_check > 0) require_exact(job.scene);
+  std::optional<ExactOracle> oracle;  // before any work: it may be missing, or the scene not for it
+  if (options.exact_check > 0) {
+    require_exact(job.scene);
+    oracle = require_exact_oracle();
+  }
   const StagedFile file(global.out.empty() ? "reference.exr" : global.out, ".exr");
   for (const std::string& warning : job.scene.warnings) print_warning(warning);
   const auto renderer = open_reference_renderer(global, quality.picture, !options.no_skip);
@@ -62,9 +67,9 @@ int render_reference(const ReferenceOptions& options, const GlobalOptions& globa
   for (const std::string& warning : frame.warnings) print_warning(warning);
   const RayBudget budget = ray_budget(frame.image);
   std::optional<ExactCheck> check;
-  if (options.exact_check > 0) {
+  if (oracle) {
     check = run_exact_check(job.scene, frame.image, request, static_cast<size_t>(options.exact_check),
-                            global.threads, progress);
+                            *oracle, global.threads, progress);
   }
   if (global.json) {
     nlohmann::ordered_json json{{"file", file.target().string()},

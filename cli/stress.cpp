@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/console.h"
+#include "cli/exact_program.h"
 #include "cli/home.h"
 #include "cli/progress_bar.h"
 #include "cli/staging.h"
@@ -86,6 +87,8 @@ StressResults measure(const StressOptions& options, const StressPlan& plan, cons
   results.version = kVersion;
   results.commit = kCommit;
   results.device = device_identity(*open_realtime_renderer(global, find_home()));
+  if (!find_exact_program())
+    print_warning("umbrameter-exact is not beside this program: no truth is held against exact arithmetic");
   results.rows = {std::string(kTruthRow)};
   for (const TechniqueRun& run : stress_techniques(plan)) results.rows.push_back(run.label);
   ProgressBar progress;

@@ -2,6 +2,7 @@
 #include "cli/stress_worker.h"
 
 #include "cli/child_process.h"
+#include "cli/exact_program.h"
 #include "cli/exact_truth.h"
 #include "cli/home.h"
 #include "cli/reference_renderer.h"
@@ -160,17 +161,20 @@ void work_on_axis(const StressAxis& axis, const StressPlan& plan, const GlobalOp
   const fs::path place = axis_folder(folder, axis);
   EditedRenderers renderers(global, place);
   const auto reference = open_reference_renderer(global, plan.picture);
-  const StressTools tools = {.techniques = stress_techniques(plan),
-                             .realtime = [&](const std::vector<ManifestEdit>& edits) -> Renderer& {
-                               return renderers.renderer(edits);
-                             },
-                             .choose =
-                                 [&](const TechniqueRun& run, const std::vector<std::string>& assignments,
-                                     const std::vector<ManifestEdit>& edits) {
-                                   return choose_technique(run.technique, assignments, renderers.home(edits));
-                                 },
-                             .reference = *reference,
-                             .oracle = exact_oracle()};
+  const auto oracle_program = find_exact_program();
+  const TruthOracle no_oracle = [](const Scene&, std::span<const ReceiverPoint>) { return std::nullopt; };
+  const StressTools tools = {
+      .techniques = stress_techniques(plan),
+      .realtime = [&](const std::vector<ManifestEdit>& edits) -> Renderer& {
+        return renderers.renderer(edits);
+      },
+      .choose =
+          [&](const TechniqueRun& run, const std::vector<std::string>& assignments,
+              const std::vector<ManifestEdit>& edits) {
+            return choose_technique(run.technique, assignments, renderers.home(edits));
+          },
+      .reference = *reference,
+      .oracle = oracle_program ? exact_truth(exact_oracle_of(*oracle_program)) : no_oracle};
   const JournalState done = read_journal(journal_of(place));
   JournalWriter journal(journal_of(place));
   SilentProgress silent;

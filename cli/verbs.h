@@ -45,5 +45,6 @@ void add_selftest(CLI::App& app, CommandLine& line);
 void add_regress(CLI::App& app, CommandLine& line);
 void add_stress(CLI::App& app, CommandLine& line);
 void add_doctor(CLI::App& app, CommandLine& line);
+void add_help(CLI::App& app, CommandLine& line);
 
 }  // namespace umbrameter

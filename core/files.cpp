@@ -2,6 +2,7 @@
 #include "core/files.h"
 
 #include "core/error.h"
+#include "core/file_hint.h"
 
 #include <unistd.h>
 
@@ -22,7 +23,7 @@ constexpr uintmax_t kMaxFileBytes = uintmax_t{4} << 30;
 std::string read_file(const fs::path& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
-  if (!fs::exists(status)) fail_input("the file does not exist", {path.string()});
+  if (!fs::exists(status)) fail_input("the file does not exist", {path.string()}, hint_for_missing(path));
   if (fs::is_directory(status)) fail_input("a folder, not a file", {path.string()});
   const uintmax_t size = fs::file_size(path, error);
   if (!error && size > kMaxFileBytes) {

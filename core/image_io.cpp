@@ -2,6 +2,7 @@
 #include "core/image_io.h"
 
 #include "core/error.h"
+#include "core/file_hint.h"
 #include "core/files.h"
 
 #include <OpenImageIO/filesystem.h>
@@ -141,7 +142,7 @@ Image whole_first(std::vector<ImagePart> parts, const std::string& file) {
 
 std::vector<ImagePart> read_image_parts(const std::filesystem::path& path) {
   const std::string file = path.string();
-  if (!std::filesystem::exists(path)) fail_input("the file does not exist", {file});
+  if (!std::filesystem::exists(path)) fail_input("the file does not exist", {file}, hint_for_missing(path));
   const OIIO::ImageSpec config = as_stored();
   return read_opened(OIIO::ImageInput::open(file, &config), file);
 }

@@ -27,15 +27,25 @@ size_t edit_distance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
+size_t common_start(std::string_view a, std::string_view b) {
+  const auto [end, other] = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
+  return static_cast<size_t>(end - a.begin());
+}
+
 }  // namespace
 
 std::string nearest_name(std::string_view name, std::span<const std::string> known) {
   std::string best;
   size_t best_distance = std::max<size_t>(1, name.size() / 2) + 1;
+  size_t best_start = 0;
   for (const std::string& candidate : known) {
     const size_t distance = edit_distance(name, candidate);
-    if (distance >= best_distance) continue;
+    const size_t start = common_start(name, candidate);
+    const bool is_nearer =
+        distance < best_distance || (distance == best_distance && !best.empty() && start > best_start);
+    if (!is_nearer) continue;
     best_distance = distance;
+    best_start = start;
     best = candidate;
   }
   return best;

@@ -13,7 +13,7 @@ import urllib.parse
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 LINK = re.compile(r"\[([^\]]*)\]\(([^)\s]+)\)")
-TOP_PAGES = ("CONTRIBUTING.md", "CHANGELOG.md")
+TOP_PAGES = ("CONTRIBUTING.md", "CHANGELOG.md", "THIRD_PARTY.md")
 
 
 def page_of(path):

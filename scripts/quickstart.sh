@@ -14,7 +14,7 @@ phase 2 "configuring"
 export CCACHE_SLOPPINESS=pch_defines,time_macros
 launcher=()
 command -v ccache >/dev/null && launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
-cmake --preset release -DUMBRAMETER_TESTS=OFF -DUMBRAMETER_BENCHES=OFF "${launcher[@]}" >/dev/null
+cmake --preset release -DUMBRAMETER_TESTS=OFF -DUMBRAMETER_BENCHES=OFF -DUMBRAMETER_PYTHON=OFF "${launcher[@]}" >/dev/null
 phase 3 "building (the first time some minutes)"
 NINJA_STATUS="quickstart: [3/4] %f of %t files, %es " cmake --build --preset release --target umbrameter
 program=build/release/cli/umbrameter

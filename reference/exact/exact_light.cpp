@@ -9,6 +9,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <array>
 #include <unordered_map>
 
@@ -210,7 +211,9 @@ ExactLight exact_light(const TriangleTree& tree, const ExactReceiver& receiver, 
   LoopEdges edges;
   Shadow shadow(tree, frame, polygon, p, rectangle);
   const std::vector<uint32_t> near = tree.near(shaft_sides(polygon, rectangle_world, receiver));
-  for (const uint32_t triangle : near) shadow.add(triangle, edges);
+  for (const uint32_t triangle : near) {
+    if (!std::ranges::binary_search(receiver.transparent, triangle)) shadow.add(triangle, edges);
+  }
   shadow.add_uncancelled(edges);
   result.triangles = near.size();
   result.edges = edges.size();

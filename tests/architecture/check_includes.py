@@ -15,6 +15,7 @@ ARROWS = {
     "study": {"core", "scenes", "metrics"},
     "report": {"core", "study"},
     "cli": {"core", "scenes", "metrics", "reference", "realtime", "study", "report"},
+    "python": {"core", "scenes", "metrics", "reference", "realtime", "study"},
 }
 # Include prefix -> where it may appear.
 HOMES = {
@@ -27,6 +28,7 @@ HOMES = {
     "tiny_obj_loader.h": ("scenes/",),
     "CLI/": ("cli/",),
     "sqlite3.h": ("study/store/",),
+    "pybind11/": ("python/",),
     "nlopt.hpp": ("study/tune/",),
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')

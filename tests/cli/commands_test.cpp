@@ -108,7 +108,17 @@ TEST_F(Commands, AnInstallationWithoutScenesIsAnEnvironmentError) {
   const ProcessResult result =
       umbrameter({"scene", "list"}, {.environment = {{"UMBRAMETER_HOME", "/nowhere"}}});
   EXPECT_EQ(result.exit_code, 3);
-  EXPECT_THAT(result.err, HasSubstr("UMBRAMETER_HOME"));
+  EXPECT_THAT(result.err, HasSubstr("UMBRAMETER_HOME '/nowhere' has no scenes/library"));
+}
+
+TEST_F(Commands, ACopiedProgramDoesNotReadTheFolderItWasBuiltIn) {
+  std::filesystem::create_directories(folder() / "copy/bin");
+  std::filesystem::copy(program_path(), folder() / "copy/bin/umbrameter");
+  const ProcessResult result = run_process({(folder() / "copy/bin/umbrameter").string(), "scene", "list"},
+                                           {.environment = {{"UMBRAMETER_HOME", ""}}});
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_EQ(result.out, "");
+  EXPECT_THAT(result.err, HasSubstr("copy/share/umbrameter' is not there"));
 }
 
 TEST_F(Commands, InterruptionLeavesNothing) {

@@ -45,6 +45,34 @@ TEST_F(ExactCheckCommand, SaysTheSameInWordsAndRefusesNothingToCheck) {
   EXPECT_EQ(umbrameter(with({"--exact-check", "0"})).exit_code, 2);
 }
 
+TEST_F(ExactCheckCommand, WithoutTheOraclesProgramItSaysSoBeforeAnyWork) {
+  namespace fs = std::filesystem;
+  fs::create_directories(folder() / "bin");
+  fs::copy(program_path(), folder() / "bin/umbrameter");
+  const fs::path home = fs::canonical(fs::path(program_path()).parent_path() / "../share/umbrameter");
+  std::vector<std::string> command = with({"--exact-check", "20", "-o", (folder() / "truth.exr").string()});
+  command.insert(command.begin(), (folder() / "bin/umbrameter").string());
+  const ProcessResult result = run_process(command, {.environment = {{"UMBRAMETER_HOME", home.string()}}});
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.err,
+              testing::HasSubstr("bin/umbrameter-exact' is not there (the package umbrameter-exact"));
+  EXPECT_FALSE(fs::exists(folder() / "truth.exr"));
+}
+
+TEST_F(ExactCheckCommand, AProgramThatFailsIsNamedWithItsOwnWords) {
+  namespace fs = std::filesystem;
+  fs::create_directories(folder() / "bin");
+  fs::copy(program_path(), folder() / "bin/umbrameter");
+  write("bin/umbrameter-exact", "#!/bin/sh\necho 'out of everything' >&2\nexit 9\n");
+  fs::permissions(folder() / "bin/umbrameter-exact", fs::perms::owner_all);
+  const fs::path home = fs::canonical(fs::path(program_path()).parent_path() / "../share/umbrameter");
+  std::vector<std::string> command = with({"--exact-check", "20", "-o", (folder() / "truth.exr").string()});
+  command.insert(command.begin(), (folder() / "bin/umbrameter").string());
+  const ProcessResult result = run_process(command, {.environment = {{"UMBRAMETER_HOME", home.string()}}});
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.err, testing::HasSubstr("ended with 9 after 0 of 20 points: out of everything"));
+}
+
 TEST_F(ExactCheckCommand, DrawsTheSamePointsAgain) {
   const auto worst = [&] {
     return Json::parse(umbrameter(with({"--exact-check", "40", "--json"})).out)["exact_check"]["worst"];

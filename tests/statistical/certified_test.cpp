@@ -2,7 +2,8 @@
 // The stated error bars of real scenes, held against exact arithmetic: where no closed form can look, an interval could be
 // too small, or stopping early could pull the picture to one side, unnoticed. More points: docs/truth.md.
 
-#include "reference/exact/exact_check.h"
+#include "reference/exact/exact_oracle.h"
+#include "reference/exact_check.h"
 #include "tests/statistical/agreement.h"
 #include "tests/support/models.h"
 
@@ -31,7 +32,7 @@ ExactComparison check(const Certified& what, uint64_t seed) {
   request.seed = ~seed;
   const Frame pilot = make_reference_renderer({64, {}})->render(scene, request, progress);
   const std::vector<size_t> pixels = draw_check_pixels(pilot.image, what.points, seed);
-  return compare_with_exact(check_pixels(scene, frame.image, pixels, 0, progress));
+  return compare_with_exact(check_pixels(scene, frame.image, pixels, exact_oracle(), 0, progress));
 }
 
 /// Each scene with samples of its own, so that they can be joined.

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "reference/exact/exact_check.h"
+#include "reference/exact_check.h"
 
 #include "core/error.h"
-#include "reference/exact/exact_light.h"
 #include "reference/interval.h"
-
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <glm/geometric.hpp>
 
@@ -44,10 +40,14 @@ ExactReceiver receiver_at(const Scene& scene, const Image& reference, size_t pix
   return {eye + d_world * way + n_world * lift_world, n_world, vector_at(reference, "shading_normal", pixel)};
 }
 
-CheckedPoint check_pixel(const TriangleTree& tree, const Image& reference, size_t pixel) {
-  constexpr double kLift = 1e-12;
-  const ExactReceiver receiver = receiver_at(tree.scene(), reference, pixel, kLift * tree.extent_world());
-  const ExactLight exact = exact_light(tree, receiver, tree.scene().light());
+double extent_world(const Scene& scene) {
+  double extent = 0.0;
+  for (const glm::vec3& p : scene.positions_world)
+    extent = std::max<double>({extent, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  return extent;
+}
+
+CheckedPoint compare(const ExactLight& exact, const Image& reference, size_t pixel) {
   CheckedPoint point;
   point.x_px = static_cast<int>(pixel % static_cast<size_t>(reference.width));
   point.y_px = static_cast<int>(pixel / static_cast<size_t>(reference.width));
@@ -103,19 +103,18 @@ void require_exact(const Scene& scene) {
 }
 
 std::vector<CheckedPoint> check_pixels(const Scene& scene, const Image& reference,
-                                       std::span<const size_t> pixels, int threads, Progress& progress) {
+                                       std::span<const size_t> pixels, const ExactOracle& oracle, int threads,
+                                       Progress& progress) {
   require_exact(scene);
-  const TriangleTree tree(scene);
-  std::vector<CheckedPoint> points(pixels.size());
-  progress.begin("exact check", pixels.size());
-  tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
-  arena.execute([&] {
-    tbb::parallel_for(size_t{0}, pixels.size(), [&](size_t i) {
-      points[i] = check_pixel(tree, reference, pixels[i]);
-      progress.advance(1);
-    });
-  });
-  progress.end();
+  constexpr double kLift = 1e-12;
+  const double lift_world = kLift * extent_world(scene);
+  std::vector<ExactReceiver> receivers;
+  for (const size_t pixel : pixels) receivers.push_back(receiver_at(scene, reference, pixel, lift_world));
+  const std::vector<ExactLight> answers = oracle(scene, receivers, threads, progress);
+  UMBRAMETER_ASSERT(answers.size() == pixels.size(), "{} answers for {} pixels", answers.size(),
+                    pixels.size());
+  std::vector<CheckedPoint> points;
+  for (size_t i = 0; i < pixels.size(); ++i) points.push_back(compare(answers[i], reference, pixels[i]));
   return points;
 }
 

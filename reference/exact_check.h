@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// A reference picture held against the exact oracle at points drawn over it. No CGAL in here.
+// A reference picture held against the exact oracle at points drawn over it.
 
 #include "core/image.h"
-#include "core/progress.h"
-#include "scenes/scene.h"
+#include "reference/exact_answer.h"
 
 #include <cstdint>
 #include <optional>
@@ -16,7 +15,7 @@ namespace umbrameter {
 struct CheckedPoint {
   int x_px = 0;
   int y_px = 0;
-  double exact_low = 0.0;  // the bracket of reference/exact/exact_light.h
+  double exact_low = 0.0;  // the bracket of reference/exact_answer.h
   double exact_high = 0.0;
   double visibility = 0.0;  // the picture's
   double visibility_se = 0.0;
@@ -35,11 +34,12 @@ std::vector<size_t> draw_check_pixels(const Image& pilot, size_t count, uint64_t
 /// Error{input} for a scene that the oracle cannot see: one with holes in its triangles.
 void require_exact(const Scene& scene);
 
-/// The exact answer at the centres of `pixels` of `reference`, with at most `threads` threads (0 = all). The receiver is
-/// computed anew: where the ray through the pixel's centre meets the plane of the triangle it sees, 1e-12 of the scene's
-/// extent above it, so that its own surface lies below. Error{input} as require_exact().
+/// What `oracle` answers at the centres of `pixels` of `reference`. The receiver is computed anew: where the ray through
+/// the pixel's centre meets the plane of the triangle it sees, 1e-12 of the scene's extent above it, so that its own surface
+/// lies below. Error{input} as require_exact().
 std::vector<CheckedPoint> check_pixels(const Scene& scene, const Image& reference,
-                                       std::span<const size_t> pixels, int threads, Progress& progress);
+                                       std::span<const size_t> pixels, const ExactOracle& oracle, int threads,
+                                       Progress& progress);
 
 /// Over points whose exact visibility lies strictly between 0 and 1, where sampling has something to do.
 struct ExactAgreement {

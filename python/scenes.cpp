@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "python/bindings.h"
+#include "scenes/load_scene.h"
+
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+namespace umbrameter::python {
+namespace {
+
+template <class Vector>
+py::array rows_of_three(const py::object& owner, const std::vector<Vector>& rows) {
+  using Number = typename Vector::value_type;
+  py::array view(py::dtype::of<Number>(), {rows.size(), size_t{3}}, {},
+                 reinterpret_cast<const Number*>(rows.data()), owner);
+  view.attr("setflags")(py::arg("write") = false);
+  return view;
+}
+
+py::tuple three(const glm::dvec3& v) {
+  return py::make_tuple(v.x, v.y, v.z);
+}
+
+py::list list_all(const std::string& library, const std::string& assets) {
+  py::list all;
+  for (const SceneEntry& entry : list_scenes({assets, library})) {
+    py::dict scene;
+    scene["name"] = entry.name;
+    scene["title"] = entry.title;
+    scene["file"] = entry.file.string();
+    scene["missing_assets"] = entry.missing_assets;
+    all.append(scene);
+  }
+  return all;
+}
+
+}  // namespace
+
+void add_scenes(py::module_& module) {
+  py::class_<Scene, std::shared_ptr<Scene>>(module, "Scene")
+      .def_readonly("name", &Scene::name)
+      .def_readonly("title", &Scene::title)
+      .def_readonly("hash", &Scene::hash)
+      .def_readonly("warnings", &Scene::warnings)
+      .def_property_readonly("light_type",
+                             [](const Scene& scene) { return std::string(to_text(scene.light().type)); })
+      .def_property_readonly("eye_world", [](const Scene& scene) { return three(scene.camera.eye_world); })
+      .def_property_readonly("positions_world",
+                             [](const py::object& self) {
+                               return rows_of_three(self, self.cast<const Scene&>().positions_world);
+                             })
+      .def_property_readonly("triangles", [](const py::object& self) {
+        return rows_of_three(self, self.cast<const Scene&>().triangles);
+      });
+  module.def("list_scenes", &list_all, py::arg("library"), py::arg("assets"));
+  module.def(
+      "load_scene",
+      [](const std::string& name_or_path, const std::string& library, const std::string& assets) {
+        const SceneSearch search{assets, library};
+        return std::make_shared<Scene>(load_scene(resolve_scene(name_or_path, search), search));
+      },
+      py::arg("name_or_path"), py::arg("library"), py::arg("assets"),
+      py::call_guard<py::gil_scoped_release>());
+}
+
+}  // namespace umbrameter::python

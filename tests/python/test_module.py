@@ -1,0 +1,165 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""The Python module as its users call it. Without it the module could import and still give other numbers than the
+program, copy what it need not, hide an error's sentence, hold Python's lock, or not stop at Ctrl-C.
+
+test_module.py UMBRAMETER: the program to compare with; PYTHONPATH names the module's folder."""
+import ast
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import unittest
+
+import numpy as np
+
+import umbrameter as um
+
+PROGRAM = ""
+SIZE = {"width": 96, "height": 54}
+
+
+def program(*arguments):
+    return subprocess.run([PROGRAM, *arguments], check=True, capture_output=True, text=True).stdout
+
+
+class Module(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.scene = um.load_scene("plate")
+        cls.truth = um.truth(cls.scene, samples=64, **SIZE)
+        try:
+            cls.picture = um.render(cls.scene, "hard", **SIZE)
+        except um.MachineError as error:
+            raise unittest.SkipTest(f"no usable GL: {error}")
+
+    def test_the_module_s_own_example_runs(self):
+        lines = [line[4:] for line in um.__doc__.splitlines() if line.startswith("    ")]
+        self.assertGreaterEqual(len(lines), 6)
+        subprocess.run([sys.executable, "-c", "\n".join(lines)], check=True)
+
+    def test_says_the_same_as_the_program(self):
+        with tempfile.TemporaryDirectory() as folder:
+            truth, picture = os.path.join(folder, "truth.exr"), os.path.join(folder, "picture.exr")
+            size = ["--width", "96", "--height", "54"]
+            program("reference", "plate", "--spp", "64", *size, "-o", truth)
+            program("render", "plate", "--technique", "hard", *size, "-o", picture)
+            told = json.loads(program("score", picture, "--reference", truth, "--json"))
+            np.testing.assert_array_equal(um.read(truth)["visibility"], self.truth["visibility"])
+            np.testing.assert_array_equal(um.read(picture)["visibility"], self.picture["visibility"])
+        score = um.score(self.picture, self.truth)
+        for part in ("error", "parity", "faults", "penumbra", "significance"):
+            self.assertEqual(score.record[part], told[part], part)
+        self.assertEqual(score.rmse.value, told["error"]["rmse"]["value"])
+        self.assertLess(score.rmse.low, score.rmse.value)
+        self.assertLess(score.rmse.value, score.rmse.high)
+
+    def test_fault_map_and_numbers_agree(self):
+        score = um.score(self.picture, self.truth)
+        self.assertEqual(score.fault_map.shape, (54, 96))
+        for index, name in enumerate(um.FAULTS):
+            self.assertEqual(np.count_nonzero(score.fault_map == index), score.fault(name)["pixels"], name)
+        self.assertIn(score.worst_fault, um.FAULTS)
+        with self.assertRaisesRegex(um.InputError, "no fault is called 'acme'"):
+            score.fault("acme")
+
+    def test_a_stranger_s_array_is_scored(self):
+        noisy = np.clip(self.truth["visibility"] + 0.25, 0.0, 1.0)
+        score = um.score(noisy, self.truth, metrics="error")
+        self.assertIsNone(score.fault_map)
+        expected = np.where(self.truth["unshadowed_irradiance"] > 0, noisy - self.truth["visibility"], np.nan)
+        self.assertAlmostEqual(score.bias, np.nanmean(expected), delta=2e-3)
+        perfect = um.score(self.truth, self.truth, metrics="error")
+        self.assertEqual(perfect.bias, 0.0)
+
+    def test_arrays_share_the_picture_s_memory_and_outlive_it(self):
+        a, b = self.truth["visibility"], self.truth["visibility"]
+        self.assertEqual(a.__array_interface__["data"], b.__array_interface__["data"])
+        self.assertFalse(a.flags.writeable)
+        kept = um.truth(self.scene, samples=8, width=16, height=9)["visibility"]
+        self.assertTrue(np.isfinite(kept).all())
+        self.assertEqual(self.scene.triangles.shape[1], 3)
+        self.assertLess(self.scene.triangles.max(), len(self.scene.positions_world))
+
+    def test_parameters_and_presets(self):
+        by_text = um.render(self.scene, "pcf:filter_width_texels=5", **SIZE)
+        by_name = um.render(self.scene, "pcf", filter_width_texels=5, **SIZE)
+        np.testing.assert_array_equal(by_text["visibility"], by_name["visibility"])
+        self.assertEqual(by_name.parameters["filter_width_texels"], 5)
+        known = {t["id"]: t for t in um.techniques()}
+        self.assertGreaterEqual(len(known), 20)
+        preset = next(iter(known["pcss"]["presets"]))
+        self.assertNotEqual(um.render(self.scene, "pcss", preset=preset, **SIZE).parameters,
+                            um.render(self.scene, "pcss", **SIZE).parameters)
+
+    def test_errors_say_the_program_s_sentence(self):
+        for call, arguments in (
+                (lambda: um.load_scene("plaet"), ["reference", "plaet"]),
+                (lambda: um.render(self.scene, "pcss", taps=3), ["render", "plate", "--technique", "pcss:taps=3"])):
+            with self.assertRaises(um.InputError) as caught:
+                call()
+            run = subprocess.run([PROGRAM, *arguments], capture_output=True, text=True)
+            self.assertEqual(run.returncode, 2)
+            self.assertEqual(run.stderr.strip(), f"umbrameter: error: {caught.exception}")
+        self.assertTrue(issubclass(um.InputError, ValueError))
+        with self.assertRaisesRegex(um.InputError, "54 rows and 96 columns|size"):
+            um.score(np.zeros((10, 10)), self.truth)
+        with self.assertRaisesRegex(um.InputError, "nan|NaN|finite"):
+            um.score(np.full((54, 96), np.nan), self.truth)
+
+    def test_python_goes_on_while_the_truth_is_traced(self):
+        steps, done = 0, threading.Event()
+
+        def trace():
+            um.truth(self.scene, samples=1024, threads=1, width=320, height=180)
+            done.set()
+
+        worker = threading.Thread(target=trace)
+        worker.start()
+        while not done.wait(0.001):
+            steps += 1
+        worker.join()
+        self.assertGreater(steps, 10)
+
+    def test_ctrl_c_stops_the_truth(self):
+        code = ("import umbrameter as um, sys\n"
+                "scene = um.load_scene('colonnade')\n"
+                "print('ready', flush=True)\n"
+                "try:\n"
+                "    um.truth(scene, samples=1 << 16, width=1920, height=1080)\n"
+                "except KeyboardInterrupt:\n"
+                "    um.truth(scene, samples=8, width=16, height=9)\n"
+                "    sys.exit(7)\n")
+        child = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True)
+        self.assertEqual(child.stdout.readline(), "ready\n")
+        time.sleep(1.0)
+        child.send_signal(signal.SIGINT)
+        self.assertEqual(child.wait(timeout=120), 7)
+        child.stdout.close()
+
+    def test_stubs_name_what_is_there(self):
+        stub = pathlib.Path(um.__file__).with_name("_core.pyi").read_text()
+        said, there = {}, um._core
+        for node in ast.parse(stub).body:
+            if isinstance(node, ast.ClassDef):
+                said[node.name] = {n.name for n in node.body if isinstance(n, ast.FunctionDef)} - {"__init__"}
+            elif isinstance(node, ast.FunctionDef):
+                said[node.name] = None
+            elif isinstance(node, ast.AnnAssign):
+                said[node.target.id] = None
+        self.assertEqual({n for n in dir(there) if not n.startswith("_")}, set(said))
+        for name, methods in said.items():
+            if methods:
+                self.assertEqual({m for m in dir(getattr(there, name)) if not m.startswith("_")}, methods, name)
+        for name in um.__all__:
+            self.assertTrue(hasattr(um, name), name)
+
+
+if __name__ == "__main__":
+    PROGRAM = sys.argv.pop(1)
+    unittest.main()
