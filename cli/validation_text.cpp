@@ -58,8 +58,8 @@ std::string table(const Results& results) {
   for (const SceneResult& scene : results.scenes) {
     for (const TechniqueResult& run : scene.techniques) rows.push_back(row(scene, run));
   }
-  return format_table({"scene", "technique", "RMSE [95 %]", "lit", "mean", "over", "under", "penumbra", "faults",
-                       "verdict", "grew", "time", "memory"},
+  return format_table({"scene", "technique", "RMSE [95 %]", "lit", "mean", "over", "under", "penumbra",
+                       "faults", "verdict", "grew", "time", "memory"},
                       rows);
 }
 

@@ -54,8 +54,9 @@ std::vector<ImagePart> choose_parts(std::vector<ImagePart> parts, const std::str
     chosen.push_back(std::move(parts[i]));
     return chosen;
   }
-  fail_input(fmt::format("there is no part '{}'", wanted), {file},
-             fmt::format("it has {} {}: {}", parts.size(), parts.size() == 1 ? "part" : "parts", contents(parts)));
+  fail_input(
+      fmt::format("there is no part '{}'", wanted), {file},
+      fmt::format("it has {} {}: {}", parts.size(), parts.size() == 1 ? "part" : "parts", contents(parts)));
 }
 
 std::string title(const std::vector<ImagePart>& parts, const Candidate& candidate) {
@@ -70,12 +71,13 @@ bool may_be_picture(const Layer& layer) {
 
 [[noreturn]] void fail_no_picture(const std::vector<ImagePart>& parts, const std::string& file) {
   fail_input(fmt::format("no channel is a picture, there {} only {}",
-                         parts.size() == 1 && parts.front().image.planes.size() == 1 ? "is" : "are", contents(parts)),
+                         parts.size() == 1 && parts.front().image.planes.size() == 1 ? "is" : "are",
+                         contents(parts)),
              {file}, "--channel NAME reads one all the same");
 }
 
-[[noreturn]] void fail_ambiguous(const std::vector<ImagePart>& parts, const std::vector<Candidate>& candidates,
-                                 const std::string& file) {
+[[noreturn]] void fail_ambiguous(const std::vector<ImagePart>& parts,
+                                 const std::vector<Candidate>& candidates, const std::string& file) {
   std::vector<std::string> titles;
   for (const Candidate& candidate : candidates) titles.push_back(title(parts, candidate));
   fail_input(fmt::format("several layers may be the picture: {}", fmt::join(titles, ", ")), {file},
@@ -114,7 +116,8 @@ Candidate choose_unnamed(const std::vector<ImagePart>& parts, const std::string&
   fail_no_picture(parts, file);
 }
 
-Candidate choose_named(const std::vector<ImagePart>& parts, const std::string& wanted, const std::string& file) {
+Candidate choose_named(const std::vector<ImagePart>& parts, const std::string& wanted,
+                       const std::string& file) {
   std::vector<Candidate> found;
   for (size_t i = 0; i < parts.size(); ++i) {
     if (auto layer = layer_called(wanted, channel_names(parts[i].image))) found.push_back({i, *layer});
@@ -131,15 +134,16 @@ void add_notes(const std::vector<ImagePart>& parts, const Candidate& chosen, con
   for (size_t i = 0; i < parts.size(); ++i) {
     for (const Layer& layer : find_layers(channel_names(parts[i].image))) {
       const bool is_chosen = i == chosen.part && layer.channels == chosen.layer.channels;
-      if (may_be_picture(layer) && !is_chosen && layer.is_known_name) others.push_back(title(parts, {i, layer}));
+      if (may_be_picture(layer) && !is_chosen && layer.is_known_name)
+        others.push_back(title(parts, {i, layer}));
     }
   }
   if (!others.empty())
     picture.notes.push_back(fmt::format("{}: read {}; the file also has {}, see --channel and --part", file,
                                         title(parts, chosen), fmt::join(others, ", ")));
   if (!chosen.layer.is_known_name)
-    picture.notes.push_back(fmt::format("{}: read {}, the only layer that may be the picture", file,
-                                        title(parts, chosen)));
+    picture.notes.push_back(
+        fmt::format("{}: read {}, the only layer that may be the picture", file, title(parts, chosen)));
   if (parts[chosen.part].format == "jpeg")
     picture.notes.push_back(fmt::format(
         "{}: JPEG loses detail beyond its rounding, and nothing tells how much; score PNG or EXR", file));
@@ -194,7 +198,8 @@ void take_surfaces(const ImagePart& part, const SurfaceFile& file, EngineSurface
   std::vector<Layer> layers = find_layers(channel_names(part.image));
   std::ranges::stable_sort(layers, {}, &Layer::preference);
   const bool has_surfaces = std::ranges::any_of(layers, [](const Layer& layer) {
-    return layer.kind == LayerKind::position || layer.kind == LayerKind::normal || layer.kind == LayerKind::depth;
+    return layer.kind == LayerKind::position || layer.kind == LayerKind::normal ||
+           layer.kind == LayerKind::depth;
   });
   const auto told = file.kind || has_surfaces ? file.kind : kind_of_file_name(file.path);
   if (told) {

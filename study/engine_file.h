@@ -33,7 +33,7 @@ PictureChannels read_picture(const std::filesystem::path& file, const PictureCho
 /// unshadowed_irradiance; those that were there.
 struct EngineSurfaces {
   Image channels;
-  std::vector<uint8_t> has_data;          // [height][width]; empty: everywhere
+  std::vector<uint8_t> has_data;            // [height][width]; empty: everywhere
   std::vector<std::string> not_understood;  // names that were there, when nothing else was
   bool understood() const { return !channels.planes.empty(); }
 };

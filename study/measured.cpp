@@ -26,8 +26,9 @@ std::optional<std::string> unmeasured(size_t scored, size_t scorable, double min
   if (scored == 0) return fmt::format("none of the {} pixels that the truth can score was scored", scorable);
   const double share = static_cast<double>(scored) / static_cast<double>(scorable);
   if (share >= min_scored) return std::nullopt;
-  return fmt::format("only {:.4g} % of the {} pixels that the truth can score were scored, less than {:.4g} %",
-                     100.0 * share, scorable, 100.0 * min_scored);
+  return fmt::format(
+      "only {:.4g} % of the {} pixels that the truth can score were scored, less than {:.4g} %",
+      100.0 * share, scorable, 100.0 * min_scored);
 }
 
 std::vector<std::string> unmeasured(std::span<const MeasuredScene> scenes, double min_scored) {

@@ -25,7 +25,7 @@ struct MeasuredScene {
   size_t scorable_pixels = 0;
   std::vector<std::pair<std::string, size_t>> scored_pixels;  // by label
   std::string why_none;                                       // when no run has a score
-  bool is_told = false;                                       // a failure or a parity that does not hold says it already
+  bool is_told = false;  // a failure or a parity that does not hold says it already
 };
 
 /// Why scenes or runs say nothing, one sentence each: no run was scored, or too few of its pixels. Also without any scene.

@@ -34,10 +34,10 @@ void note_left_out(const EngineVisibility& values, std::vector<std::string>& not
     notes.push_back(fmt::format("{} up to {:.2g} outside [0, 1]: set to 0 or 1", pixels(values.nudged),
                                 values.largest_nudge));
   if (values.largest_step > 0.0)
-    notes.push_back(
-        fmt::format("the pictures' steps are up to {:.4f} of visibility; their rounding, {:.5f} in the root mean "
-                    "square, is added to the uncertainty",
-                    values.largest_step, std::sqrt(values.mean_square_rounding)));
+    notes.push_back(fmt::format(
+        "the pictures' steps are up to {:.4f} of visibility; their rounding, {:.5f} in the root mean "
+        "square, is added to the uncertainty",
+        values.largest_step, std::sqrt(values.mean_square_rounding)));
 }
 
 void take_surfaces(const PictureInput& input, SurfaceReading reading, const Image& reference,
@@ -47,9 +47,12 @@ void take_surfaces(const PictureInput& input, SurfaceReading reading, const Imag
       read_surfaces(is_own_file ? std::vector{input.files.name()} : input.files.surfaces);
   if (is_own_file) surfaces.not_understood.clear();  // nobody promised any
   const bool has_position = surfaces.channels.has("position.x");
-  if (is_own_file && !has_position && reading.camera == nullptr && surfaces.channels.planes.erase("depth") > 0)
-    out.notes.push_back("the picture's depth is not looked at: where points are needs the camera, give --scene");
-  for (std::string& note : add_surfaces(surfaces, reading, reference, out.test)) out.notes.push_back(std::move(note));
+  if (is_own_file && !has_position && reading.camera == nullptr &&
+      surfaces.channels.planes.erase("depth") > 0)
+    out.notes.push_back(
+        "the picture's depth is not looked at: where points are needs the camera, give --scene");
+  for (std::string& note : add_surfaces(surfaces, reading, reference, out.test))
+    out.notes.push_back(std::move(note));
   if (!surfaces.understood() && is_own_file)
     out.notes.push_back(
         "no surface channels: not known whether the picture shows the same places under the same light; give "
@@ -89,7 +92,8 @@ PictureInput read_picture_input(const PictureFiles& files) {
   return input;
 }
 
-EnginePicture align_picture(const PictureInput& input, const SurfaceReading& reading, const Image& reference) {
+EnginePicture align_picture(const PictureInput& input, const SurfaceReading& reading,
+                            const Image& reference) {
   const std::vector<uint8_t> scorable = scorable_mask(reference);
   EnginePicture out;
   out.name = input.files.name();
@@ -137,10 +141,11 @@ PictureScore score_picture(const EnginePicture& picture, const Image& reference,
       if (picture.is_pair && rmse_s < rmse_v) out.quantity = ShadowQuantity::irradiance;
       out.other_rmse = out.quantity == ShadowQuantity::visibility ? s.error->rmse : v.error->rmse;
       if (!picture.is_pair && rmse_s < kFarBetter * rmse_v)
-        out.notes.push_back(fmt::format(
-            "the picture fits the irradiance ratio far better than visibility (RMSE {:.5f} instead of {:.5f}): "
-            "see --quantity",
-            rmse_s, rmse_v));
+        out.notes.push_back(
+            fmt::format("the picture fits the irradiance ratio far better than visibility (RMSE {:.5f} "
+                        "instead of {:.5f}): "
+                        "see --quantity",
+                        rmse_s, rmse_v));
     }
   }
   out.reference = truth_of(out.quantity);

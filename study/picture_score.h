@@ -5,8 +5,8 @@
 
 #include "study/engine_image.h"
 #include "study/engine_surfaces.h"
-#include "study/shadow_quantity.h"
 #include "study/score.h"
+#include "study/shadow_quantity.h"
 
 #include <optional>
 #include <string>
@@ -20,7 +20,8 @@ struct PictureFiles {
   std::string shadowed, unshadowed;  // instead of `picture`
   std::string transfer;              // of files of 8 and 16 bits
   PictureChoice choice;              // of part and channel
-  std::vector<std::string> surfaces; // as read_surfaces has them; empty: whatever surfaces the picture's own file has
+  std::vector<std::string>
+      surfaces;  // as read_surfaces has them; empty: whatever surfaces the picture's own file has
 
   bool is_pair() const { return picture.empty(); }
   const std::string& name() const { return is_pair() ? shadowed : picture; }
@@ -40,8 +41,8 @@ PictureInput read_picture_input(const PictureFiles& files);
 struct EnginePicture {
   std::string name;
   bool is_pair = false;
-  Image test;              // visibility, and surfaces where any were understood
-  EngineVisibility values; // what is known and what was left out; its image went to `test`
+  Image test;               // visibility, and surfaces where any were understood
+  EngineVisibility values;  // what is known and what was left out; its image went to `test`
   std::vector<std::string> notes;
 };
 
@@ -54,7 +55,7 @@ struct PictureScore {
   std::optional<Interval> other_rmse;  // as the other quantity, when none was given
   Score score;
   double mean_square_rounding = 0.0;
-  Image reference;                 // with that quantity as visibility, and the picture's rounding in its error
+  Image reference;  // with that quantity as visibility, and the picture's rounding in its error
   std::vector<std::string> notes;  // of the picture, and what only the comparison tells
 };
 

@@ -12,10 +12,11 @@ namespace umbrameter {
 namespace {
 
 constexpr std::array<const char*, 2> kNames = {"visibility", "irradiance"};
-constexpr std::array<std::pair<const char*, const char*>, 4> kIrradiance = {{{"irradiance_ratio", "visibility"},
-                                                                            {"irradiance_ratio_se", "visibility_se"},
-                                                                            {"irradiance_half_a", "half_a"},
-                                                                            {"irradiance_half_b", "half_b"}}};
+constexpr std::array<std::pair<const char*, const char*>, 4> kIrradiance = {
+    {{"irradiance_ratio", "visibility"},
+     {"irradiance_ratio_se", "visibility_se"},
+     {"irradiance_half_a", "half_a"},
+     {"irradiance_half_b", "half_b"}}};
 
 }  // namespace
 

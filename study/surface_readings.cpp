@@ -50,7 +50,8 @@ struct Sample {
 std::vector<Sample> position_samples(const EngineSurfaces& surfaces, const Image& reference) {
   std::vector<Sample> samples;
   const auto at = [](const Image& image, size_t i) {
-    return glm::dvec3(image.plane("position.x")[i], image.plane("position.y")[i], image.plane("position.z")[i]);
+    return glm::dvec3(image.plane("position.x")[i], image.plane("position.y")[i],
+                      image.plane("position.z")[i]);
   };
   for (const size_t i : samples_of(surfaces, reference))
     samples.push_back({at(surfaces.channels, i), at(reference, i)});
@@ -130,7 +131,8 @@ bool is_constant(const Image& image, const char* channel, const std::vector<size
 }
 
 std::string constant_note(const char* name, const std::string& value) {
-  return fmt::format("{} is {} in every pixel that shows a surface: was that pass rendered at all?", name, value);
+  return fmt::format("{} is {} in every pixel that shows a surface: was that pass rendered at all?", name,
+                     value);
 }
 
 std::optional<std::string> better_depth(const EngineSurfaces& surfaces, const SurfaceReading& reading,
@@ -150,14 +152,14 @@ std::optional<std::string> better_depth(const EngineSurfaces& surfaces, const Su
                                  static_cast<double>(samples.size());
   };
   if (share(reading.depth, reading.space.unit) >= kDoesNotFit) return std::nullopt;
-  for (const DepthKind kind : {reading.depth, reading.depth == DepthKind::axis ? DepthKind::ray : DepthKind::axis}) {
+  for (const DepthKind kind :
+       {reading.depth, reading.depth == DepthKind::axis ? DepthKind::ray : DepthKind::axis}) {
     for (const double unit : kUnits) {
       if (share(kind, unit) < kFits) continue;
       std::string options = fmt::format("--depth {}", kind == DepthKind::axis ? "axis" : "ray");
       if (unit != 1.0) options += fmt::format(" --unit {:g}", unit);
-      return fmt::format(
-          "the depths fit the truth far better when they are read along the {}{}: give {}",
-          kind == DepthKind::axis ? "camera's axis" : "rays",
+      return fmt::format("the depths fit the truth far better when they are read along the {}{}: give {}",
+                         kind == DepthKind::axis ? "camera's axis" : "rays",
                          unit == 1.0 ? "" : ", in " + unit_name(unit), options);
     }
   }
@@ -177,7 +179,8 @@ void note_constant(const EngineSurfaces& surfaces, const Image& reference, const
     if (samples.size() < 2 || !surfaces.channels.has(channel)) return;
     if (!is_constant(surfaces.channels, channel.c_str(), samples)) return;
     is_constant_in_truth = is_constant_in_truth && is_constant(reference, channel.c_str(), samples);
-    value += fmt::format("{}{:g}", value.empty() ? "" : ", ", surfaces.channels.plane(channel)[samples.front()]);
+    value +=
+        fmt::format("{}{:g}", value.empty() ? "" : ", ", surfaces.channels.plane(channel)[samples.front()]);
   }
   if (!is_constant_in_truth) notes.push_back(constant_note(name, "(" + value + ")"));
 }

@@ -30,12 +30,12 @@ TEST_P(CyclesPair, HasTheTruthsIrradianceRatio) {
   const ProcessResult exported =
       umbrameter({"scene", "export", scene, "--width", "240", "--height", "136", "-o", "exported"});
   ASSERT_EQ(exported.exit_code, 0) << exported.err;
-  const ProcessResult truth =
-      umbrameter({"reference", scene, "--width", "240", "--height", "136", "--spp", "512", "-o", "truth.exr"});
+  const ProcessResult truth = umbrameter(
+      {"reference", scene, "--width", "240", "--height", "136", "--spp", "512", "-o", "truth.exr"});
   ASSERT_EQ(truth.exit_code, 0) << truth.err;
   const ProcessResult rendered = run({"blender", "-b", "--factory-startup", "--python-exit-code", "9", "-P",
-                                      (source_dir() / "tests/blender/cycles_pair.py").string(), "--", "exported", ".",
-                                      "240", "136", "256"});
+                                      (source_dir() / "tests/blender/cycles_pair.py").string(), "--",
+                                      "exported", ".", "240", "136", "256"});
   ASSERT_EQ(rendered.exit_code, 0) << rendered.out << rendered.err;
   const ProcessResult scored =
       umbrameter({"score", "--shadowed", "lit.exr", "--unshadowed", "unlit.exr", "--reference", "truth.exr",

@@ -21,8 +21,7 @@ class NothingMeasured : public CliTest {
   }
 
   static std::string scene(const std::string& at, const std::string& center) {
-    return "title = \"Plate\"\n[camera]\neye = [0, 2, 4]\n" + at +
-           "\n[[light]]\ntype = \"rect\"\n" + center +
+    return "title = \"Plate\"\n[camera]\neye = [0, 2, 4]\n" + at + "\n[[light]]\ntype = \"rect\"\n" + center +
            "\ndirection = [0, -1, 0]\nsize = [1, 1]\n[[mesh]]\nshape = \"plane\"\nsize = [4, 4]\n";
   }
 
@@ -91,15 +90,18 @@ technique = "hard"
 
 TEST_F(NothingMeasured, AScoreSaysSoAndFails) {
   ASSERT_EQ(small({"reference", "sky.toml", "-o", "truth.exr"}).exit_code, 0);
-  const ProcessResult result = umbrameter({"score", "truth.exr", "--reference", "truth.exr", "--limit", "0.5"});
+  const ProcessResult result =
+      umbrameter({"score", "truth.exr", "--reference", "truth.exr", "--limit", "0.5"});
   EXPECT_EQ(result.exit_code, 1) << result.err;
   EXPECT_THAT(result.err, HasSubstr("the truth can score no pixel"));
 }
 
 TEST_F(NothingMeasured, TheShareThatMustBeScoredCanBeSet) {
   write_scene("plate.toml");
-  const ProcessResult strict = small({"validate", "plate.toml", "--technique", "hard", "--min-scored", "1", "-o", "v"});
-  const ProcessResult loose = small({"validate", "plate.toml", "--technique", "hard", "--min-scored", "0", "-o", "v"});
+  const ProcessResult strict =
+      small({"validate", "plate.toml", "--technique", "hard", "--min-scored", "1", "-o", "v"});
+  const ProcessResult loose =
+      small({"validate", "plate.toml", "--technique", "hard", "--min-scored", "0", "-o", "v"});
   EXPECT_EQ(loose.exit_code, 0) << loose.err;
   EXPECT_NE(strict.exit_code, 2) << strict.err;
   EXPECT_EQ(small({"validate", "plate.toml", "--min-scored", "2"}).exit_code, 2);

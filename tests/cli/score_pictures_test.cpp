@@ -26,8 +26,8 @@ class ScorePictures : public CliTest {
     make({"render", "box_contact", "--technique", "pcf", "-o", "pcf.exr"}, size);
     oiio({"pcf.exr", "--ch", "visibility", "-o", "v.exr"});
     oiio({"v.exr", "--ch", "visibility,visibility,visibility", "--chnames", "R,G,B", "-o", "rgb.exr"});
-    oiio({"truth.exr", "--ch", "unshadowed_irradiance,unshadowed_irradiance,unshadowed_irradiance", "--chnames",
-          "R,G,B", "-o", "unlit.exr"});
+    oiio({"truth.exr", "--ch", "unshadowed_irradiance,unshadowed_irradiance,unshadowed_irradiance",
+          "--chnames", "R,G,B", "-o", "unlit.exr"});
     oiio({"unlit.exr", "rgb.exr", "--mul", "-o", "lit.exr"});
   }
 
@@ -48,7 +48,8 @@ class ScorePictures : public CliTest {
 
   ProcessResult score(std::vector<std::string> arguments) const {
     arguments.insert(arguments.begin(), "score");
-    for (const char* more : {"--reference", "truth.exr", "--metrics", "error,verdict"}) arguments.emplace_back(more);
+    for (const char* more : {"--reference", "truth.exr", "--metrics", "error,verdict"})
+      arguments.emplace_back(more);
     return umbrameter(arguments);
   }
 
@@ -67,9 +68,10 @@ class ScorePictures : public CliTest {
 
 TEST_F(ScorePictures, AlphaIsNeverMultipliedIn) {
   oiio({"rgb.exr", "--colorconvert", "linear", "sRGB", "-d", "uint8", "-o", "v8.png"});
-  oiio({"rgb.exr", "--colorconvert", "linear", "sRGB", "--ch", "R,G,B,A=0", "--attrib", "oiio:UnassociatedAlpha",
-        "1", "-d", "uint8", "-o", "a0.png"});
-  const Json opaque = scored({"v8.png", "--transfer", "srgb"}), clear = scored({"a0.png", "--transfer", "srgb"});
+  oiio({"rgb.exr", "--colorconvert", "linear", "sRGB", "--ch", "R,G,B,A=0", "--attrib",
+        "oiio:UnassociatedAlpha", "1", "-d", "uint8", "-o", "a0.png"});
+  const Json opaque = scored({"v8.png", "--transfer", "srgb"}),
+             clear = scored({"a0.png", "--transfer", "srgb"});
   EXPECT_EQ(rmse(opaque), rmse(clear));
   EXPECT_NEAR(rmse(opaque), right(), 1e-3);
 }
@@ -77,11 +79,13 @@ TEST_F(ScorePictures, AlphaIsNeverMultipliedIn) {
 TEST_F(ScorePictures, APairWithAlphaOfFrameBuffersIsScored) {
   // Brightest about .9, so that eight bits hold it.
   for (const std::string name : {"unlit", "lit"}) {
-    oiio({name + ".exr", "--mulc", "0.3", "--colorconvert", "linear", "sRGB", "-d", "uint8", "-o", name + "8.png"});
+    oiio({name + ".exr", "--mulc", "0.3", "--colorconvert", "linear", "sRGB", "-d", "uint8", "-o",
+          name + "8.png"});
     oiio({name + ".exr", "--mulc", "0.3", "--colorconvert", "linear", "sRGB", "--ch", "R,G,B,A=0", "--attrib",
           "oiio:UnassociatedAlpha", "1", "-d", "uint8", "-o", name + "_a0.png"});
   }
-  const std::vector<std::string> how = {"--transfer", "srgb", "--quantity", "visibility", "--min-scored", "0.5"};
+  const std::vector<std::string> how = {"--transfer", "srgb",         "--quantity",
+                                        "visibility", "--min-scored", "0.5"};
   const auto pair = [&](const std::string& suffix) {
     std::vector<std::string> all = {"--shadowed", "lit" + suffix, "--unshadowed", "unlit" + suffix};
     all.insert(all.end(), how.begin(), how.end());
@@ -94,7 +98,8 @@ TEST_F(ScorePictures, APairWithAlphaOfFrameBuffersIsScored) {
 }
 
 TEST_F(ScorePictures, DataWindowsArePlacedInTheDisplayWindow) {
-  oiio({"v.exr", "--create", "112x70", "1", "--chnames", "visibility", "--paste", "+8+8", "v.exr", "-o", "x.exr"});
+  oiio({"v.exr", "--create", "112x70", "1", "--chnames", "visibility", "--paste", "+8+8", "v.exr", "-o",
+        "x.exr"});
   oiio({"v.exr", "--cut", "80x50+10+2", "--origin", "+10+2", "--fullsize", "96x54+0+0", "-o", "smaller.exr"});
   oiio({"v.exr", "--origin", "+6+0", "--fullsize", "96x54+0+0", "-o", "shifted.exr"});
   oiio({"v.exr", "--create", "112x70", "1", "--chnames", "visibility", "--paste", "+8+8", "--origin", "-8-8",
@@ -120,7 +125,8 @@ TEST_F(ScorePictures, DataWindowsArePlacedInTheDisplayWindow) {
 
 TEST_F(ScorePictures, PartsAndLayersAreFoundOrChosen) {
   oiio({"lit.exr", "v.exr", "--siappend", "-o", "multipart.exr"});
-  oiio({"rgb.exr", "--chnames", "ViewLayer.Combined.R,ViewLayer.Combined.G,ViewLayer.Combined.B", "-o", "layer.exr"});
+  oiio({"rgb.exr", "--chnames", "ViewLayer.Combined.R,ViewLayer.Combined.G,ViewLayer.Combined.B", "-o",
+        "layer.exr"});
   const ProcessResult found = score({"multipart.exr", "--json"});
   EXPECT_EQ(rmse(Json::parse(found.out)), right());
   EXPECT_THAT(found.err, HasSubstr("the file also has 'R, G, B' of part 1"));
@@ -157,13 +163,16 @@ TEST_F(ScorePictures, AnInvertedPictureGetsAHint) {
 }
 
 TEST_F(ScorePictures, ASwappedPairIsRefused) {
-  expect_bad_input(score({"--shadowed", "unlit.exr", "--unshadowed", "lit.exr", "--limit", "0.05"}), "swapped");
-  const Json straight = scored({"--shadowed", "lit.exr", "--unshadowed", "unlit.exr", "--quantity", "visibility"});
+  expect_bad_input(score({"--shadowed", "unlit.exr", "--unshadowed", "lit.exr", "--limit", "0.05"}),
+                   "swapped");
+  const Json straight =
+      scored({"--shadowed", "lit.exr", "--unshadowed", "unlit.exr", "--quantity", "visibility"});
   EXPECT_NEAR(rmse(straight), right(), 1e-4);
 }
 
 TEST_F(ScorePictures, AGateOnAPairAsksForItsQuantity) {
-  expect_bad_input(score({"--shadowed", "lit.exr", "--unshadowed", "unlit.exr", "--limit", "0.5"}), "--quantity");
+  expect_bad_input(score({"--shadowed", "lit.exr", "--unshadowed", "unlit.exr", "--limit", "0.5"}),
+                   "--quantity");
   expect_bad_input(score({"--shadowed", "lit.exr", "--unshadowed", "unlit.exr", "--baseline", "v.exr"}),
                    "--quantity");
   const Json json = scored({"--shadowed", "lit.exr", "--unshadowed", "unlit.exr"});

@@ -34,13 +34,14 @@ TEST_P(ScoreQuantity, TheTruthsOwnPairHasNoErrorBeyondItsNoise) {
   write_exr(folder() / "lit.exr", lit);
   write_exr(folder() / "unlit.exr", unlit);
   const auto score = [&](std::vector<std::string> more) {
-    more.insert(more.begin(), {"score", "--shadowed", "lit.exr", "--unshadowed", "unlit.exr", "--reference", "1.exr",
-                               "--metrics", "error", "--json"});
+    more.insert(more.begin(), {"score", "--shadowed", "lit.exr", "--unshadowed", "unlit.exr", "--reference",
+                               "1.exr", "--metrics", "error", "--json"});
     const ProcessResult result = umbrameter(more);
     EXPECT_EQ(result.exit_code, 0) << result.err;
     return Json::parse(result.out);
   };
-  const Json irradiance = score({"--quantity", "irradiance"}), visibility = score({"--quantity", "visibility"});
+  const Json irradiance = score({"--quantity", "irradiance"}),
+             visibility = score({"--quantity", "visibility"});
   // The noise of both: as much again as the reference's own, whose share is taken out.
   const auto truth = read_image(folder() / "1.exr");
   double variance = 0.0, pixels = 0.0;
@@ -63,9 +64,9 @@ TEST_P(ScoreQuantity, TheTruthsOwnPairHasNoErrorBeyondItsNoise) {
 
 // Every light type: rect, disk, sphere, sun.
 INSTANTIATE_TEST_SUITE_P(Scenes, ScoreQuantity,
-                         testing::Values("box_contact", "colonnade", "comb", "contact_hardening", "disk_occluder",
-                                         "fence", "half_plane", "half_plane_disk", "plate", "slanted_plane",
-                                         "sphere_terminator", "stacked_plates", "wire"),
+                         testing::Values("box_contact", "colonnade", "comb", "contact_hardening",
+                                         "disk_occluder", "fence", "half_plane", "half_plane_disk", "plate",
+                                         "slanted_plane", "sphere_terminator", "stacked_plates", "wire"),
                          [](const auto& scene) { return std::string(scene.param); });
 
 }  // namespace

@@ -44,8 +44,9 @@ class ScoreSurfaces : public CliTest {
   }
 
   /// Copies of the truth's channels under other names, each value through `change`.
-  void write_layers(const std::string& file, const std::vector<std::pair<std::string, std::string>>& names,
-                    const std::function<float(float)>& change = [](float v) { return v; }) const {
+  void write_layers(
+      const std::string& file, const std::vector<std::pair<std::string, std::string>>& names,
+      const std::function<float(float)>& change = [](float v) { return v; }) const {
     Image image(truth_.width, truth_.height);
     for (const auto& [to, from] : names) {
       for (const float v : truth_.plane(from)) image.planes[to].push_back(change(v));
@@ -101,8 +102,7 @@ TEST_F(ScoreSurfaces, FarDepthsAreBackground) {
 
 TEST_F(ScoreSurfaces, DepthInAnotherUnitOrMeasureIsNamed) {
   write_depth("cm.exr", 1e10f, 100.0f);
-  const ProcessResult result =
-      score({"--surfaces", "cm.exr", "--depth", "ray", "--scene", "plate.toml"});
+  const ProcessResult result = score({"--surfaces", "cm.exr", "--depth", "ray", "--scene", "plate.toml"});
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_THAT(result.err, HasSubstr("in centimetres: give --depth ray --unit 0.01"));
   expect_parity({"--surfaces", "cm.exr", "--depth", "ray", "--unit", "0.01", "--scene", "plate.toml"});
@@ -144,7 +144,8 @@ TEST_F(ScoreSurfaces, NormalsAloneAreComparedWithTheTruths) {
 TEST_F(ScoreSurfaces, OtherAxesAndUnitsAreNamedAndCanBeChosen) {
   // z up and centimetres: theirs is (x, -z, y) * 100.
   Image image(truth_.width, truth_.height);
-  const auto px = truth_.plane("position.x"), py = truth_.plane("position.y"), pz = truth_.plane("position.z");
+  const auto px = truth_.plane("position.x"), py = truth_.plane("position.y"),
+             pz = truth_.plane("position.z");
   for (const char* name : {"P.X", "P.Y", "P.Z"}) image.add_plane(name);
   for (size_t i = 0; i < truth_.pixel_count(); ++i) {
     image.plane("P.X")[i] = 100.0f * px[i];

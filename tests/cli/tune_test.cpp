@@ -80,14 +80,15 @@ TEST_F(GlTuneCommand, TruthsAreRenderedOnce) {
 TEST_F(GlTuneCommand, FindsTheLightsSizeAloneAndTogetherWithABias) {
   write_scene("scene.toml");
   for (const std::string parameters : {"light_size_scale", "light_size_scale,bias_texels"}) {
-    const ProcessResult tuned = umbrameter(
-        {"tune", "scene.toml", "--technique",
-         "pcss:light_size_scale=3,bias_texels=8,filter_taps=64,search_taps=64,map_size=512", "--parameters",
-         parameters, "--evaluations", "40", "--cameras", "1", "--width", "160", "--height", "90", "--spp", "64",
-         "--out", "best", "--json"});
+    const ProcessResult tuned =
+        umbrameter({"tune", "scene.toml", "--technique",
+                    "pcss:light_size_scale=3,bias_texels=8,filter_taps=64,search_taps=64,map_size=512",
+                    "--parameters", parameters, "--evaluations", "40", "--cameras", "1", "--width", "160",
+                    "--height", "90", "--spp", "64", "--out", "best", "--json"});
     ASSERT_EQ(tuned.exit_code, 0) << tuned.err;
     const Json json = Json::parse(tuned.out);
-    EXPECT_NEAR(std::log2(json["best"]["parameters"]["light_size_scale"].get<double>()), 0.0, 0.3) << parameters;
+    EXPECT_NEAR(std::log2(json["best"]["parameters"]["light_size_scale"].get<double>()), 0.0, 0.3)
+        << parameters;
     const Json& given = json["light_size_sweep"][0];
     EXPECT_EQ(given["beside"], "given");
     ASSERT_TRUE(given["has_window"]) << parameters;

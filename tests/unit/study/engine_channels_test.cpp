@@ -40,19 +40,19 @@ TEST(EngineChannels, KnowOtherRenderersNames) {
   const auto expect = [](const std::vector<std::string>& names, LayerKind kind) {
     EXPECT_TRUE(sole(names, kind)) << names.front();
   };
-  expect({"pos.X", "pos.Y", "pos.Z"}, LayerKind::position);                    // Mitsuba
-  expect({"dd.T"}, LayerKind::depth);                                          // Mitsuba
-  expect({"sh_normal.X", "sh_normal.Y", "sh_normal.Z"}, LayerKind::normal);    // Mitsuba
-  expect({"zdepth.red"}, LayerKind::depth);                                    // V-Ray
-  expect({"normals.X", "normals.Y", "normals.Z"}, LayerKind::normal);          // V-Ray
+  expect({"pos.X", "pos.Y", "pos.Z"}, LayerKind::position);                  // Mitsuba
+  expect({"dd.T"}, LayerKind::depth);                                        // Mitsuba
+  expect({"sh_normal.X", "sh_normal.Y", "sh_normal.Z"}, LayerKind::normal);  // Mitsuba
+  expect({"zdepth.red"}, LayerKind::depth);                                  // V-Ray
+  expect({"normals.X", "normals.Y", "normals.Z"}, LayerKind::normal);        // V-Ray
   expect({"VRayNormals.R", "VRayNormals.G", "VRayNormals.B"}, LayerKind::normal);
   expect({"World Position.red", "World Position.green", "World Position.blue"}, LayerKind::position);
-  expect({"P.X", "P.Y", "P.Z"}, LayerKind::position);                          // Arnold, pbrt
+  expect({"P.X", "P.Y", "P.Z"}, LayerKind::position);  // Arnold, pbrt
   expect({"N.x", "N.y", "N.z"}, LayerKind::normal);
   expect({"Z"}, LayerKind::depth);
   expect({"R", "G", "B", "A"}, LayerKind::color);
-  expect({"FinalImageMovieRenderQueue_WorldDepth.R"}, LayerKind::depth);       // Unreal
-  expect({"posW.R", "posW.G", "posW.B", "posW.A"}, LayerKind::position);       // Falcor
+  expect({"FinalImageMovieRenderQueue_WorldDepth.R"}, LayerKind::depth);  // Unreal
+  expect({"posW.R", "posW.G", "posW.B", "posW.A"}, LayerKind::position);  // Falcor
   expect({"visibility"}, LayerKind::visibility);
   expect({"primitive_id"}, LayerKind::primitive_id);
   expect({"Y"}, LayerKind::grey);
