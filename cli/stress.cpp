@@ -2,13 +2,13 @@
 #include "cli/console.h"
 #include "cli/home.h"
 #include "cli/progress_bar.h"
+#include "cli/run_renderer.h"
 #include "cli/staging.h"
 #include "cli/stress_worker.h"
 #include "cli/verbs.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "core/version.h"
-#include "realtime/device_identity.h"
 #include "study/stress/axes.h"
 #include "study/stress/output.h"
 #include "study/stress/suite_file.h"
@@ -85,7 +85,7 @@ StressResults measure(const StressOptions& options, const StressPlan& plan, cons
   results.plan = plan;
   results.version = kVersion;
   results.commit = kCommit;
-  results.device = device_identity(*open_realtime_renderer(global, find_home()));
+  results.device = run_identity(*open_realtime_renderer(global, find_home()));
   results.rows = {std::string(kTruthRow)};
   for (const TechniqueRun& run : stress_techniques(plan)) results.rows.push_back(run.label);
   ProgressBar progress;

@@ -4,6 +4,7 @@
 #include "core/error.h"
 #include "core/names.h"
 #include "metrics/bootstrap.h"
+#include "metrics/parity.h"
 #include "study/diagnosis.h"
 
 #include <array>
@@ -100,8 +101,9 @@ std::string_view unit_of(Objective objective) {
 }
 
 std::optional<ObjectiveValue> measure_objective(Objective objective, const Image& test,
-                                                const Image& reference, std::span<const uint8_t> mask,
+                                                const Image& reference, std::span<const uint8_t> all,
                                                 bool with_interval) {
+  const std::vector<uint8_t> mask = known_mask(all, test);
   switch (objective) {
     case Objective::rmse:
       return measure_rmse(test, reference, mask, with_interval);
@@ -113,7 +115,8 @@ std::optional<ObjectiveValue> measure_objective(Objective objective, const Image
   return std::nullopt;
 }
 
-FaultShares measure_fault_shares(const Image& test, const Image& reference, std::span<const uint8_t> mask) {
+FaultShares measure_fault_shares(const Image& test, const Image& reference, std::span<const uint8_t> all) {
+  const std::vector<uint8_t> mask = known_mask(all, test);
   const FaultNumbers faults = diagnose(test, reference, mask).numbers.faults;
   if (faults.scored_pixels == 0) return {};
   const auto share = [&](FaultClass fault) {
