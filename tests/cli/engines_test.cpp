@@ -41,7 +41,7 @@ TEST_F(EnginesTest, ListsWhatShipsAndWhetherItIsThere) {
   const Json engines = Json::parse(result.out)["engines"];
   std::vector<std::string> ids;
   for (const Json& engine : engines) ids.push_back(engine["id"]);
-  EXPECT_THAT(ids, testing::IsSupersetOf({"babylon", "three"}));
+  EXPECT_THAT(ids, testing::IsSupersetOf({"babylon", "playcanvas", "three"}));
 }
 
 TEST_F(EnginesTest, UnknownEnginesAreNamed) {
@@ -87,6 +87,13 @@ TEST_F(EnginesTest, BabylonDrawsWhatWeDraw) {
   if (!is_installed("babylonjs")) GTEST_SKIP() << "Babylon.js is not installed: scripts/install_engines.sh";
   require_gl();
   const std::string label = "babylon:type=pcss,bias=0.004,normalBias=0.01";
+  expect_engine(validate({"plate", "--technique", label, "--technique", "pcf"}), label);
+}
+
+TEST_F(EnginesTest, PlayCanvasDrawsWhatWeDraw) {
+  if (!is_installed("playcanvas")) GTEST_SKIP() << "PlayCanvas is not installed: scripts/install_engines.sh";
+  require_gl();
+  const std::string label = "playcanvas:type=pcf3,shadowBias=0.2,normalOffsetBias=0.05";
   expect_engine(validate({"plate", "--technique", label, "--technique", "pcf"}), label);
 }
 
