@@ -77,6 +77,7 @@ std::optional<int> parse_command_line(int argc, const char* const* argv, CLI::Ap
   add_score(app, line);
   add_report(app, line);
   add_techniques(app, line);
+  add_engines(app, line);
   add_scene(app, line);
   add_selftest(app, line);
   add_regress(app, line);

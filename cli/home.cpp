@@ -2,6 +2,7 @@
 #include "cli/home.h"
 
 #include "cli/preset_file.h"
+#include "cli/run_renderer.h"
 #include "core/data_folder.h"
 #include "core/error.h"
 #include "realtime/realtime.h"
@@ -67,7 +68,10 @@ std::string request_text(const std::string& id_or_path) {
 
 Home find_home() {
   const std::filesystem::path root = find_data_folder(program_file());
-  return {root / "scenes" / "library", root / "realtime" / "techniques", root / "realtime" / "shaders"};
+  return {root / "scenes" / "library",
+          root / "realtime" / "techniques",
+          root / "realtime" / "shaders",
+          {root / "engines", root / "engines" / "installed"}};
 }
 
 SceneSearch scene_search(const GlobalOptions& options, const Home& home) {
@@ -107,7 +111,7 @@ TechniqueRun choose_technique(const std::string& text, const std::vector<std::st
                               const Home& home) {
   const size_t colon = std::filesystem::is_directory(text) ? std::string::npos : text.find(':');
   const std::string id_or_path = text.substr(0, colon);
-  const Technique technique = find_technique(id_or_path, home.techniques);
+  const Technique technique = find_run(id_or_path, home);
   std::vector<std::string> all = assignments;
   std::string label = technique.id;
   if (colon != std::string::npos) {
@@ -127,12 +131,33 @@ std::vector<TechniqueRun> all_techniques(const Home& home) {
   return runs;
 }
 
+Technique find_run(const std::string& id_or_path, const Home& home) {
+  const std::filesystem::path folder = find_engine_folder(id_or_path, home.engines);
+  if (folder.empty()) return find_technique(id_or_path, home.techniques);
+  const Engine engine = load_engine(folder, home.engines);
+  Technique technique;
+  technique.id = engine.id;
+  technique.title = engine.title;
+  technique.summary = engine.summary;
+  technique.family = "engine";
+  technique.references = engine.references;
+  technique.known_failures = engine.known_failures;
+  for (const auto& [type, text] : engine.lights) technique.lights.push_back(type);
+  technique.folder = engine.folder;
+  technique.parameters = engine.parameters;
+  for (const EnginePreset& preset : engine.presets)
+    technique.presets.push_back({preset.name, preset.doc, preset.values, {}});
+  technique.hash = engine.hash;
+  return technique;
+}
+
 std::unique_ptr<Renderer> open_realtime_renderer(const GlobalOptions& options, const Home& home,
                                                  bool cull_casters) {
-  return make_realtime_renderer({.techniques_folder = home.techniques,
-                                 .shaders_folder = home.shaders,
-                                 .device = options.device,
-                                 .cull_casters = cull_casters});
+  return std::make_unique<RunRenderer>(make_realtime_renderer({.techniques_folder = home.techniques,
+                                                               .shaders_folder = home.shaders,
+                                                               .device = options.device,
+                                                               .cull_casters = cull_casters}),
+                                       home.engines);
 }
 
 }  // namespace umbrameter

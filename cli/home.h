@@ -5,6 +5,7 @@
 #include "cli/verbs.h"
 #include "core/parameters.h"
 #include "core/progress.h"
+#include "engines/host/manifest.h"
 #include "realtime/manifest/technique.h"
 #include "scenes/load_scene.h"
 #include "study/validation.h"
@@ -20,6 +21,7 @@ struct Home {
   std::filesystem::path library;
   std::filesystem::path techniques;
   std::filesystem::path shaders;
+  EnginePlaces engines;
 };
 
 /// As find_data_folder() (core/data_folder.h) says.
@@ -45,6 +47,9 @@ TechniqueRun choose_technique(const std::string& text, const std::vector<std::st
 
 /// Every built-in technique at its defaults.
 std::vector<TechniqueRun> all_techniques(const Home& home);
+
+/// A technique, or an engine with what runs need of one: title, parameters, presets, lights, hash; an id, or a folder.
+Technique find_run(const std::string& id_or_path, const Home& home);
 
 /// `cull_casters`: as in RealtimeSettings.
 std::unique_ptr<Renderer> open_realtime_renderer(const GlobalOptions& options, const Home& home,

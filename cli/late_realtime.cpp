@@ -2,8 +2,8 @@
 #include "cli/late_realtime.h"
 
 #include "cli/device_memory.h"
+#include "cli/run_renderer.h"
 #include "core/error.h"
-#include "realtime/device_identity.h"
 
 namespace umbrameter {
 
@@ -20,7 +20,7 @@ LateRealtime::LateRealtime(LateStore& store, const GlobalOptions& options, const
 
 std::unique_ptr<Renderer> LateRealtime::open() {
   auto opened = open_realtime_renderer(options_, home_, cull_casters_);
-  const std::string found = device_identity(*opened);
+  const std::string found = run_identity(*opened);
   is_new_ = found != identity_;
   if (identity_.empty()) identity_ = found;
   if (found == identity_) return opened;

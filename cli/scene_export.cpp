@@ -5,101 +5,11 @@
 #include "cli/home.h"
 #include "core/error.h"
 #include "core/files.h"
+#include "scenes/export_scene.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
-
-#include <glm/geometric.hpp>
-
-#include <iterator>
-#include <numbers>
 
 namespace umbrameter {
-namespace {
-
-using Json = nlohmann::ordered_json;
-
-Json vector_json(const glm::dvec3& v) {
-  return {v.x, v.y, v.z};
-}
-
-/// Rows, as written on paper.
-Json matrix_json(const glm::dmat4& m) {
-  Json rows = Json::array();
-  for (int row = 0; row < 4; ++row) rows.push_back({m[0][row], m[1][row], m[2][row], m[3][row]});
-  return rows;
-}
-
-Json camera_json(const Camera& camera, int width_px, int height_px) {
-  const glm::dmat4 view = view_from_world(camera);
-  const glm::dmat4 clip = clip_from_world(camera, width_px, height_px);
-  return {{"eye_world", vector_json(camera.eye_world)},
-          {"at_world", vector_json(camera.at_world)},
-          {"up_world", vector_json(camera.up_world)},
-          {"vertical_fov_deg", camera.vertical_fov_deg},
-          {"near_world", camera.near_world},
-          {"width_px", width_px},
-          {"height_px", height_px},
-          {"view_from_world", matrix_json(view)},
-          {"clip_from_view", matrix_json(clip * glm::inverse(view))},
-          {"clip_from_world", matrix_json(clip)},
-          {"clip_depth", "reversed: near 1, infinity 0; x right, y up, -1 to 1; row 0 of a picture on top"}};
-}
-
-Json corners_json(const Light& light) {
-  Json corners = Json::array();
-  for (const auto& [u, v] : {std::pair{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}) {
-    corners.push_back(vector_json(light.center_world + u * light.size_world.x * light.tangent_world +
-                                  v * light.size_world.y * light.bitangent_world));
-  }
-  return corners;
-}
-
-Json light_json(const Light& light) {
-  Json json = {{"name", light.name}, {"type", to_text(light.type)}};
-  json["direction_world"] = vector_json(light.direction_world);
-  json["tangent_world"] = vector_json(light.tangent_world);
-  json["bitangent_world"] = vector_json(light.bitangent_world);
-  if (light.type == LightType::sun) {
-    json["angular_diameter_deg"] = 2.0 * light.half_angle_rad * 180.0 / std::numbers::pi;
-    json["irradiance_at_normal_incidence"] = 1.0;
-    return json;
-  }
-  json["center_world"] = vector_json(light.center_world);
-  json["radiance"] = 1.0;
-  if (light.type != LightType::rect) {
-    json["radius_world"] = light.radius_world;
-    return json;
-  }
-  json["size_world"] = {light.size_world.x, light.size_world.y};
-  json["corners_world"] = corners_json(light);
-  return json;
-}
-
-/// Positions to the last bit; one group a part; normals where the scene has any.
-std::string obj_text(const Scene& scene) {
-  std::string text =
-      fmt::format("# {}, hash {}; world space, y up, counter-clockwise\n", scene.name, scene.hash);
-  auto out = std::back_inserter(text);
-  for (const glm::vec3& p : scene.positions_world)
-    fmt::format_to(out, "v {:.9g} {:.9g} {:.9g}\n", p.x, p.y, p.z);
-  const bool has_normals = !scene.normals_world.empty();
-  for (const glm::vec3& n : scene.normals_world)
-    fmt::format_to(out, "vn {:.9g} {:.9g} {:.9g}\n", n.x, n.y, n.z);
-  for (const MeshPart& part : scene.parts) {
-    fmt::format_to(out, "g {}\n", part.name);
-    for (uint32_t k = 0; k < part.triangle_count; ++k) {
-      const glm::uvec3 t = scene.triangles[part.first_triangle + k] + 1u;
-      if (has_normals)
-        fmt::format_to(out, "f {0}//{0} {1}//{1} {2}//{2}\n", t.x, t.y, t.z);
-      else
-        fmt::format_to(out, "f {} {} {}\n", t.x, t.y, t.z);
-    }
-  }
-  return text;
-}
-
-}  // namespace
 
 int export_scene(const std::string& name, const QualityOptions& size, const GlobalOptions& global) {
   if (global.out.empty()) fail_input("there is no place to export to", {}, "give --out FOLDER");
@@ -110,18 +20,12 @@ int export_scene(const std::string& name, const QualityOptions& size, const Glob
                               job.scene.triangles.size()));
   const std::filesystem::path folder = global.out;
   create_folder(folder);
-  write_file_atomically(folder / "scene.obj", obj_text(job.scene));
-  const Json json = {
-      {"scene", job.name},
-      {"hash", job.scene.hash},
-      {"mesh", "scene.obj"},
-      {"triangles", job.scene.triangles.size()},
-      {"space", "world: right-handed, y up, metres; matrices in rows, for column vectors"},
-      {"camera", camera_json(job.scene.camera, quality.picture.width_px, quality.picture.height_px)},
-      {"light", light_json(job.scene.light())}};
-  write_file_atomically(folder / "scene.json", json.dump(2) + "\n");
+  const PictureQuality& picture = quality.picture;
+  const std::string json = scene_json_text(job.scene, job.name, picture.width_px, picture.height_px);
+  write_file_atomically(folder / "scene.obj", scene_obj_text(job.scene));
+  write_file_atomically(folder / "scene.json", json);
   if (global.json) {
-    print_json(json);
+    print_answer(json);
   } else {
     print_answer(fmt::format("{}: {} triangles in scene.obj, camera and light in scene.json\n",
                              folder.string(), job.scene.triangles.size()));

@@ -3,13 +3,13 @@
 #include "cli/exact_program.h"
 #include "cli/home.h"
 #include "cli/progress_bar.h"
+#include "cli/run_renderer.h"
 #include "cli/staging.h"
 #include "cli/stress_worker.h"
 #include "cli/verbs.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "core/version.h"
-#include "realtime/device_identity.h"
 #include "study/stress/axes.h"
 #include "study/stress/output.h"
 #include "study/stress/suite_file.h"
@@ -86,7 +86,7 @@ StressResults measure(const StressOptions& options, const StressPlan& plan, cons
   results.plan = plan;
   results.version = kVersion;
   results.commit = kCommit;
-  results.device = device_identity(*open_realtime_renderer(global, find_home()));
+  results.device = run_identity(*open_realtime_renderer(global, find_home()));
   if (!find_exact_program())
     print_warning("umbrameter-exact is not beside this program: no truth is held against exact arithmetic");
   results.rows = {std::string(kTruthRow)};

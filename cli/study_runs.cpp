@@ -86,7 +86,7 @@ std::vector<BenchRun> choose_study_runs(const StudyFile& study, const std::files
   std::vector<TechniqueRun> runs;
   for (const StudyRun& run : study.runs) {
     const std::string request = beside(file, run.technique);
-    if (!techniques.contains(request)) techniques[request] = find_technique(request, home.techniques);
+    if (!techniques.contains(request)) techniques[request] = find_run(request, home);
     runs.push_back(choose_run(run, request, techniques[request]));
   }
   std::vector<BenchRun> all;

@@ -3,12 +3,12 @@
 #include "cli/light_option.h"
 #include "cli/progress_bar.h"
 #include "cli/reference_renderer.h"
+#include "cli/run_renderer.h"
 #include "cli/staging.h"
 #include "cli/study_runs.h"
 #include "cli/sweep_text.h"
 #include "cli/sweep_verbs.h"
 #include "core/error.h"
-#include "realtime/device_identity.h"
 
 #include <fmt/format.h>
 
@@ -51,7 +51,7 @@ LoadedSweep load(const SweepOptions& options, const GlobalOptions& global, Progr
   if (options.time) plan.timing = {.wanted_frames = study.frames, .budget_s = study.frame_budget_s};
   loaded.scenes = load_study_scenes(study, options.study, search, progress);
   loaded.realtime = open_realtime_renderer(global, home);
-  plan.makers = {kReferenceMaker, device_identity(*loaded.realtime), hash_folder(home.shaders)};
+  plan.makers = {kReferenceMaker, run_identity(*loaded.realtime), hash_folder(home.shaders)};
   return loaded;
 }
 

@@ -115,8 +115,10 @@ std::string describe_technique(const Technique& technique) {
   return text;
 }
 
-int show(const std::string& id, const GlobalOptions& global) {
-  const Technique technique = find_technique(id, find_home().techniques);
+}  // namespace
+
+int show_technique(const std::string& id, const GlobalOptions& global) {
+  const Technique technique = find_run(id, find_home());
   if (global.json) {
     print_json(to_json(technique));
   } else {
@@ -125,7 +127,6 @@ int show(const std::string& id, const GlobalOptions& global) {
   return kExitFine;
 }
 
-/// One built-in scene for each light type, by type.
 std::map<LightType, SceneJob> scenes_by_light(const SceneSearch& search) {
   std::map<LightType, SceneJob> scenes;
   for (const SceneEntry& entry : list_scenes(search)) {
@@ -135,6 +136,8 @@ std::map<LightType, SceneJob> scenes_by_light(const SceneSearch& search) {
   }
   return scenes;
 }
+
+namespace {
 
 /// Loads the manifest, then compiles and runs the shaders once for every light type that it supports.
 int check(const std::string& path, const GlobalOptions& global) {
@@ -202,7 +205,8 @@ void add_techniques(CLI::App& app, CommandLine& line) {
   CLI::App* show_verb = verb->add_subcommand("show", "one technique with its parameters and presets");
   show_verb->fallthrough();
   show_verb->add_option("technique", *name, "id or folder")->required();
-  show_verb->callback([name, &line] { line.verb = [name, &line] { return show(*name, line.global); }; });
+  show_verb->callback(
+      [name, &line] { line.verb = [name, &line] { return show_technique(*name, line.global); }; });
   auto ids = std::make_shared<std::vector<std::string>>();
   CLI::App* traits_verb =
       verb->add_subcommand("traits", "precise, soft, anti-aliased, ...: paper E's table, measured");

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The halves of `techniques` that render or read results.
+// The halves of `techniques` that render or read results, and what `engines` shares with it.
 
+#include "cli/home.h"
 #include "cli/verbs.h"
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -14,5 +16,11 @@ int show_traits(const std::vector<std::string>& ids, const GlobalOptions& global
 
 /// `techniques doc RESULTS`: docs/techniques.md from the manifests and a validation's results.json.
 int write_technique_doc(const std::string& results_file, const GlobalOptions& global);
+
+/// `techniques show ID` and `engines show ID`.
+int show_technique(const std::string& id, const GlobalOptions& global);
+
+/// One built-in scene for each light type, by type.
+std::map<LightType, SceneJob> scenes_by_light(const SceneSearch& search);
 
 }  // namespace umbrameter

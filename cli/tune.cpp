@@ -61,7 +61,7 @@ PictureQuality coarse_picture(PictureQuality picture) {
 TunePlan make_plan(const TuneOptions& options, const Home& home) {
   TunePlan plan;
   plan.technique = choose_technique(options.technique, {}, home);
-  const Technique technique = find_technique(plan.technique.technique, home.techniques);
+  const Technique technique = find_run(plan.technique.technique, home);
   plan.parameters = technique.parameters;
   for (const Preset& preset : technique.presets) plan.presets.push_back({preset.name, preset.values});
   plan.tuned = options.parameters;

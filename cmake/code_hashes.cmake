@@ -17,7 +17,7 @@ function(hash_rooms variable)
 endfunction()
 
 hash_rooms(reference core scenes reference)
-hash_rooms(realtime core scenes realtime)
+hash_rooms(realtime core scenes realtime engines)
 hash_rooms(scoring core metrics study)
 set(text "#include \"study/store/code_hashes.h\"
 

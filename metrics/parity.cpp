@@ -21,6 +21,7 @@ namespace {
 struct Surface {
   SurfaceView view;
   std::span<const float> irradiance;
+  std::span<const float> known;  // empty: everywhere
 };
 
 Surface checked_lit_surface(const Image& image) {
@@ -28,7 +29,8 @@ Surface checked_lit_surface(const Image& image) {
   std::vector<uint8_t> hit(image.pixel_count());
   for (size_t i = 0; i < hit.size(); ++i) hit[i] = view.hit(i) ? 1 : 0;
   require_range(image, "unshadowed_irradiance", hit, 0.0f, std::numeric_limits<float>::max());
-  return {view, image.plane("unshadowed_irradiance")};
+  return {view, image.plane("unshadowed_irradiance"),
+          image.has("known") ? image.plane("known") : std::span<const float>()};
 }
 
 float largest_irradiance(std::span<const float> primitive, std::span<const float> irradiance) {
@@ -72,7 +74,7 @@ struct Judge {
 };
 
 struct TileCounts {
-  std::array<size_t, 5> by_class{};  // indexed by ParityClass
+  std::array<size_t, 6> by_class{};  // indexed by ParityClass
   size_t same_primitive = 0;
   std::vector<float> depth_errors;
 };
@@ -86,7 +88,8 @@ ParityClass classify(const Judge& judge, size_t i, TileCounts& counts) {
   if (judge.same_primitive(i)) ++counts.same_primitive;
   if (!judge.same_surface(i, depth_error)) return ParityClass::surface;
   if (!judge.same_irradiance(i)) return ParityClass::irradiance;
-  return ParityClass::agrees;
+  const bool is_known = judge.test.known.empty() || judge.test.known[i] != 0.0f;
+  return is_known ? ParityClass::agrees : ParityClass::unknown;
 }
 
 }  // namespace
@@ -119,7 +122,7 @@ Parity compare_surfaces(const Image& test, const Image& reference, const double 
         }
       });
 
-  std::array<size_t, 5> by_class{};
+  std::array<size_t, 6> by_class{};
   std::vector<float> depth_errors;
   depth_errors.reserve(test.pixel_count());
   for (const TileCounts& tile : tiles) {
@@ -132,11 +135,12 @@ Parity compare_surfaces(const Image& test, const Image& reference, const double 
   out.coverage_mismatch = count(ParityClass::coverage);
   out.surface_mismatch = count(ParityClass::surface);
   out.irradiance_mismatch = count(ParityClass::irradiance);
+  out.unknown = count(ParityClass::unknown);
   if (!depth_errors.empty()) out.median_relative_depth_error = median(std::move(depth_errors));
   const auto share = [&](size_t pixels) {
     return out.covered > 0 ? static_cast<double>(pixels) / static_cast<double>(out.covered) : 1.0;
   };
-  out.agreement = share(count(ParityClass::agrees));
+  out.agreement = share(count(ParityClass::agrees) + out.unknown);
   out.passes = out.agreement >= tolerance.required_agreement;
   const size_t same_surface = count(ParityClass::agrees) + count(ParityClass::irradiance);
   out.is_other_light = !out.passes && share(same_surface) >= tolerance.required_agreement;
@@ -169,6 +173,16 @@ std::vector<uint8_t> scorable_mask(const Image& reference) {
   for (size_t i = 0; i < mask.size(); ++i)
     mask[i] = primitive[i] >= 0.0f && irradiance[i] > threshold ? 1 : 0;
   return mask;
+}
+
+std::vector<uint8_t> known_mask(std::span<const uint8_t> mask, const Image& test) {
+  std::vector<uint8_t> out(mask.begin(), mask.end());
+  if (!test.has("known")) return out;
+  const std::span<const float> known = test.plane("known");
+  for (size_t i = 0; i < out.size(); ++i) {
+    if (known[i] == 0.0f) out[i] = 0;
+  }
+  return out;
 }
 
 }  // namespace umbrameter

@@ -5,6 +5,7 @@
 #include "core/image.h"
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,9 @@ struct ParityTolerance {
   double required_agreement = 0.995;  // of covered pixels
 };
 
-/// Why a pixel is not scored.
-enum class ParityClass : uint8_t { agrees, background, coverage, surface, irradiance };
+/// Why a pixel is not scored. `unknown`: the surfaces agree, and the test picture says nothing about its shadow (channel
+/// "known" is 0), as where an engine's own light does not reach.
+enum class ParityClass : uint8_t { agrees, background, coverage, surface, irradiance, unknown };
 
 struct Parity {
   int width = 0;
@@ -28,6 +30,7 @@ struct Parity {
   size_t coverage_mismatch = 0;      // hit in one only
   size_t surface_mismatch = 0;       // other primitive, and depth or normal differ
   size_t irradiance_mismatch = 0;
+  size_t unknown = 0;  // agree, but are not scored
   size_t same_primitive = 0;
   double median_relative_depth_error = 0.0;
   double agreement = 0.0;  // agreeing / covered; 1 when nothing is covered
@@ -48,5 +51,8 @@ std::vector<uint8_t> scored_mask(const Parity& parity, const Image& reference);
 
 /// 1 where the truth can score a pixel at all: it shows a surface that the light can reach, as scored_mask has it.
 std::vector<uint8_t> scorable_mask(const Image& reference);
+
+/// `mask` without the pixels about which `test` says nothing (channel "known" is 0).
+std::vector<uint8_t> known_mask(std::span<const uint8_t> mask, const Image& test);
 
 }  // namespace umbrameter

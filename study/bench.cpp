@@ -84,6 +84,7 @@ void take_result(TimedRun& run, BenchEntry& entry) {
 /// One full image a scene is kept, and the visibility of each run.
 void keep_picture(Image& image, Image& visibility, std::optional<Image>& surfaces) {
   visibility = Image(image.width, image.height);
+  if (auto known = image.planes.extract("known"); !known.empty()) visibility.planes.insert(std::move(known));
   const auto from = image.plane("visibility");
   std::ranges::copy(from, visibility.add_plane("visibility").begin());
   if (!surfaces) surfaces = std::move(image);
@@ -127,7 +128,8 @@ void score_runs(const Context& context, const Pictures& pictures, BenchScene& sc
     BenchEntry& entry = scene.entries[i];
     if (entry.failure) continue;
     entry.failure = guarded([&] {
-      const VisibilityError error = measure_visibility_error(pictures.visibility[i], reference.image, mask);
+      const VisibilityError error = measure_visibility_error(pictures.visibility[i], reference.image,
+                                                             known_mask(mask, pictures.visibility[i]));
       entry.rmse = error.rmse;
       entry.bias = error.bias;
     });

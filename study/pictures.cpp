@@ -10,12 +10,13 @@
 namespace umbrameter {
 namespace {
 
-constexpr std::array<ParityLegend, 5> kParityLegend{{
+constexpr std::array<ParityLegend, 6> kParityLegend{{
     {ParityClass::agrees, {225, 225, 225}, "agrees"},
     {ParityClass::background, kBackgroundColour, "nothing hit in either"},
     {ParityClass::coverage, {200, 0, 200}, "hit in one renderer only"},
     {ParityClass::surface, {230, 120, 0}, "another surface"},
     {ParityClass::irradiance, {0, 150, 140}, "other unshadowed irradiance"},
+    {ParityClass::unknown, {120, 120, 200}, "no light in the engine's own picture"},
 }};
 
 constexpr std::array<FaultLegend, kFaultClasses> kFaultLegend{{

@@ -2,6 +2,7 @@
 #include "study/tune/judge.h"
 
 #include "core/error.h"
+#include "metrics/parity.h"
 #include "metrics/verdict.h"
 #include "study/guard.h"
 #include "study/tune/draw_and_score.h"
@@ -54,7 +55,8 @@ std::optional<Interval> Judge::gain_on(size_t index, const ParameterValues& ours
   std::optional<Interval> gain;
   guarded([&] {
     const Image mine = studio_.render(view, ours).image, theirs = studio_.render(view, other).image;
-    const auto verdict = compare_runs(theirs, mine, view.reference, view.mask);
+    const auto verdict =
+        compare_runs(theirs, mine, view.reference, known_mask(known_mask(view.mask, mine), theirs));
     const auto rmse = [&](const Image& image) {
       return measure_objective(objective_, image, view.reference, view.mask, false).value().value;
     };

@@ -4,6 +4,7 @@
 #include "core/error.h"
 #include "core/names.h"
 #include "metrics/bootstrap.h"
+#include "metrics/parity.h"
 #include "study/diagnosis.h"
 
 #include <array>
@@ -98,8 +99,9 @@ std::string_view unit_of(Objective objective) {
 }
 
 std::optional<ObjectiveValue> measure_objective(Objective objective, const Image& test,
-                                                const Image& reference, std::span<const uint8_t> mask,
+                                                const Image& reference, std::span<const uint8_t> all,
                                                 bool with_interval) {
+  const std::vector<uint8_t> mask = known_mask(all, test);
   switch (objective) {
     case Objective::rmse:
       return measure_rmse(test, reference, mask, with_interval);
@@ -117,7 +119,8 @@ std::optional<double> measure_width_octaves(const Image& test, const Image& refe
   return octaves ? std::optional(octaves->median) : std::nullopt;
 }
 
-FaultShares measure_fault_shares(const Image& test, const Image& reference, std::span<const uint8_t> mask) {
+FaultShares measure_fault_shares(const Image& test, const Image& reference, std::span<const uint8_t> all) {
+  const std::vector<uint8_t> mask = known_mask(all, test);
   const auto profiles = measure_penumbra(test, reference, mask).profiles;
   const Faults faults =
       classify_faults(test, reference, mask, profiles, measure_envelope(test, reference, mask, profiles));

@@ -12,9 +12,10 @@ ARROWS = {
     "metrics": {"core"},
     "reference": {"core", "scenes"},
     "realtime": {"core", "scenes"},
+    "engines": {"core", "scenes"},
     "study": {"core", "scenes", "metrics"},
     "report": {"core", "study"},
-    "cli": {"core", "scenes", "metrics", "reference", "realtime", "study", "report"},
+    "cli": {"core", "scenes", "metrics", "reference", "realtime", "engines", "study", "report"},
     "python": {"core", "scenes", "metrics", "reference", "realtime", "study"},
 }
 # Include prefix -> where it may appear.

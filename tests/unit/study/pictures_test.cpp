@@ -80,7 +80,7 @@ TEST(ParityLegend, HasOneColourAClassInOrder) {
   size_t index = 0;
   for (const ParityLegend& entry : parity_legend())
     EXPECT_EQ(static_cast<size_t>(entry.parity_class), index++);
-  EXPECT_EQ(index, static_cast<size_t>(ParityClass::irradiance) + 1);
+  EXPECT_EQ(index, static_cast<size_t>(ParityClass::unknown) + 1);
 }
 
 }  // namespace

@@ -1,0 +1,68 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""adapter.py MODULES: draws with a web engine in headless Chromium, WebGL2 on its software renderer.
+
+MODULES is the folder of installed npm packages. The engine's own part is page.mjs in UMBRAMETER_ENGINE_FOLDER, which exports
+open() and render() (web/page.mjs says how it is called). Speaks the protocol of docs/engines.md on its standard streams.
+"""
+import json
+import os
+import pathlib
+import sys
+import tempfile
+
+from chromium import OFFLINE, Chromium
+from server import Server
+
+WEB = pathlib.Path(__file__).resolve().parent
+GRAPHICS = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"]
+SECONDS = 3600  # the program that asks has a limit of its own, and ends this one
+
+
+def say(answer):
+    print(json.dumps(answer), flush=True)
+
+
+def short(error):
+    """The first lines of a JavaScript exception, or of ours."""
+    return " ".join(str(error).split("\n")[:2])
+
+
+class Page:
+    def __init__(self, modules):
+        engine = pathlib.Path(os.environ["UMBRAMETER_ENGINE_FOLDER"])
+        self.server = Server({"web": WEB, "engine": engine, "modules": modules})
+        self.browser = Chromium(tempfile.mkdtemp(prefix="profile-"), OFFLINE + GRAPHICS, SECONDS)
+        self.browser.open_page()
+        self.browser.navigate(self.server.url("web/index.html"))
+        self.about = self.browser.evaluate("umbrameterReady")
+        self.browser.console()
+
+    def render(self, request):
+        self.server.readable["scene"] = pathlib.Path(request["scene"])
+        self.server.writable = {"out": pathlib.Path(request["out"])}
+        plain = {key: request[key] for key in ("width_px", "height_px", "seed", "parameters")}
+        answer = self.browser.evaluate(f"umbrameterRender({json.dumps(plain)})")
+        answer.setdefault("warnings", []).extend(sorted(set(self.browser.console()))[:8])
+        return answer
+
+
+def main():
+    try:
+        page = Page(sys.argv[1])
+    except Exception as error:
+        say({"error": f"the page does not open: {short(error)}"})
+        return
+    say({"ready": True, "is_software": True, **page.about})
+    for line in sys.stdin:
+        request = json.loads(line)
+        try:
+            say({"id": request["id"], **page.render(request)})
+        except Exception as error:
+            print(error, file=sys.stderr)
+            say({"id": request["id"], "error": short(error)})
+    page.browser.close()
+
+
+if __name__ == "__main__":
+    main()
