@@ -25,7 +25,8 @@ Json lights_json(const Engine& engine) {
 
 std::string light_names(const Engine& engine) {
   std::string names;
-  for (const auto& [type, text] : engine.lights) names += fmt::format("{}{}", names.empty() ? "" : " ", to_text(type));
+  for (const auto& [type, text] : engine.lights)
+    names += fmt::format("{}{}", names.empty() ? "" : " ", to_text(type));
   return names;
 }
 
@@ -41,8 +42,8 @@ int list(const GlobalOptions& global) {
                        {"lights", lights_json(engine)},
                        {"installed", is_installed},
                        {"hash", engine.hash}});
-    rows.push_back({engine.id, is_installed ? "installed" : "not installed", std::string(to_text(engine.quantity)),
-                    light_names(engine), engine.title});
+    rows.push_back({engine.id, is_installed ? "installed" : "not installed",
+                    std::string(to_text(engine.quantity)), light_names(engine), engine.title});
   }
   if (global.json) {
     print_json({{"engines", engines}});
@@ -58,17 +59,23 @@ std::string parity_of(const Frame& frame) {
 }
 
 /// A small picture of one built-in scene for each light type that the engine supports.
-Json try_lights(const Engine& engine, const std::string& request_text, const GlobalOptions& global, const Home& home) {
+Json try_lights(const Engine& engine, const std::string& request_text, const GlobalOptions& global,
+                const Home& home) {
   const auto renderer = open_realtime_renderer(global, home);
   const TechniqueRun run = choose_technique(request_text, {}, home);
   SilentProgress progress;
   Json lights = Json::object();
   for (const auto& [type, job] : scenes_by_light(scene_search(global, home))) {
     if (!engine.supports(type)) continue;
-    const RenderRequest request{.width_px = kWidth_px, .height_px = kHeight_px, .technique = run.technique, .parameters = run.parameters};
+    const RenderRequest request{.width_px = kWidth_px,
+                                .height_px = kHeight_px,
+                                .technique = run.technique,
+                                .parameters = run.parameters};
     const Frame frame = renderer->render(job.scene, request, progress);
-    lights[std::string(to_text(type))] = {
-        {"scene", job.name}, {"becomes", engine.lights.at(type)}, {"surfaces_agree", parity_of(frame)}, {"warnings", frame.warnings}};
+    lights[std::string(to_text(type))] = {{"scene", job.name},
+                                          {"becomes", engine.lights.at(type)},
+                                          {"surfaces_agree", parity_of(frame)},
+                                          {"warnings", frame.warnings}};
   }
   return lights;
 }
@@ -78,7 +85,8 @@ int check(const std::string& id_or_path, const GlobalOptions& global) {
   const Home home = find_home();
   const std::filesystem::path folder = find_engine_folder(id_or_path, home.engines);
   if (folder.empty())
-    fail_input(fmt::format("there is no engine '{}'", id_or_path), {}, "'engines list' names those that there are");
+    fail_input(fmt::format("there is no engine '{}'", id_or_path), {},
+               "'engines list' names those that there are");
   const Engine engine = load_engine(folder, home.engines);
   require_installed(engine);
   EngineCheck found;
@@ -89,14 +97,21 @@ int check(const std::string& id_or_path, const GlobalOptions& global) {
   const bool has_finished_pictures = engine.form == EngineForm::pictures;
   const Json lights = has_finished_pictures ? Json::object() : try_lights(engine, id_or_path, global, home);
   if (global.json) {
-    print_json({{"id", engine.id}, {"version", found.version}, {"device", found.device}, {"hash", engine.hash}, {"lights", lights}});
+    print_json({{"id", engine.id},
+                {"version", found.version},
+                {"device", found.device},
+                {"hash", engine.hash},
+                {"lights", lights}});
     return kExitFine;
   }
-  std::string text = fmt::format("{}: fine; {}{}{}\n", engine.id, found.version, found.device.empty() ? "" : ", ", found.device);
+  std::string text = fmt::format("{}: fine; {}{}{}\n", engine.id, found.version,
+                                 found.device.empty() ? "" : ", ", found.device);
   for (const auto& [type, light] : lights.items()) {
-    text += fmt::format("{}: {}; on '{}' the surfaces agree in {}\n", type, light["becomes"].get<std::string>(),
-                        light["scene"].get<std::string>(), light["surfaces_agree"].get<std::string>());
-    for (const Json& warning : light["warnings"]) print_warning(fmt::format("{}: {}", type, warning.get<std::string>()));
+    text +=
+        fmt::format("{}: {}; on '{}' the surfaces agree in {}\n", type, light["becomes"].get<std::string>(),
+                    light["scene"].get<std::string>(), light["surfaces_agree"].get<std::string>());
+    for (const Json& warning : light["warnings"])
+      print_warning(fmt::format("{}: {}", type, warning.get<std::string>()));
   }
   print_answer(text);
   return kExitFine;
@@ -118,8 +133,10 @@ void add_engines(CLI::App& app, CommandLine& line) {
   CLI::App* show_verb = verb->add_subcommand("show", "one engine with its parameters and presets");
   show_verb->fallthrough();
   show_verb->add_option("engine", *name, "id or folder")->required();
-  show_verb->callback([name, &line] { line.verb = [name, &line] { return show_technique(*name, line.global); }; });
-  CLI::App* check_verb = verb->add_subcommand("check", "load an engine, start it, and draw a small picture with each light");
+  show_verb->callback(
+      [name, &line] { line.verb = [name, &line] { return show_technique(*name, line.global); }; });
+  CLI::App* check_verb =
+      verb->add_subcommand("check", "load an engine, start it, and draw a small picture with each light");
   check_verb->fallthrough();
   check_verb->add_option("engine", *name, "id or folder")->required();
   check_verb->callback([name, &line] { line.verb = [name, &line] { return check(*name, line.global); }; });

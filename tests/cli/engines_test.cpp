@@ -53,7 +53,8 @@ TEST_F(EnginesTest, AFailedEngineIsOneFailedRunAndTheRestGoesOn) {
   const EngineFolder engine;
   const std::string path = engine.path().string();
   const ProcessResult result =
-      validate({"plate", "--technique", "pcf", "--technique", path + ":misbehave=crash", "--technique", path + ":shadow.grey=0.25"});
+      validate({"plate", "--technique", "pcf", "--technique", path + ":misbehave=crash", "--technique",
+                path + ":shadow.grey=0.25"});
   const Json results = Json::parse(result.out);
   EXPECT_TRUE(run_of(results, "pcf").contains("error")) << result.err;
   EXPECT_THAT(run_of(results, "tried:misbehave=crash").dump(), HasSubstr("the driver is gone"));
@@ -73,7 +74,8 @@ void expect_engine(const ProcessResult& result, const std::string& label) {
 }
 
 bool is_installed(const std::string& package) {
-  return std::filesystem::exists(source_dir() / "engines" / "installed" / "node_modules" / package / "package.json");
+  return std::filesystem::exists(source_dir() / "engines" / "installed" / "node_modules" / package /
+                                 "package.json");
 }
 
 TEST_F(EnginesTest, ThreeDrawsWhatWeDraw) {

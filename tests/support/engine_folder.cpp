@@ -22,7 +22,8 @@ EngineFolder& EngineFolder::write(const std::string& name, std::string_view text
 }
 
 std::string engine_manifest_with(const std::string& form) {
-  return "schema = 1\nid = \"tried\"\ntitle = \"An engine of a test\"\nsummary = \"Draws nothing.\"\nquantity = \"visibility\"\n" +
+  return "schema = 1\nid = \"tried\"\ntitle = \"An engine of a test\"\nsummary = \"Draws "
+         "nothing.\"\nquantity = \"visibility\"\n" +
          form + R"(
 [lights]
 rect = "a point"
@@ -47,9 +48,10 @@ doc = "visibility everywhere"
 }
 
 std::string test_engine_manifest() {
-  return engine_manifest_with(fmt::format("adapter = [\"python3\", \"{}/tests/engine/adapter.py\"]\n"
-                                          "seconds_to_start = 20\nseconds_per_picture = 2\nmemory_mib = 300\n",
-                                          source_dir().string()));
+  return engine_manifest_with(
+      fmt::format("adapter = [\"python3\", \"{}/tests/engine/adapter.py\"]\n"
+                  "seconds_to_start = 20\nseconds_per_picture = 2\nmemory_mib = 300\n",
+                  source_dir().string()));
 }
 
 }  // namespace umbrameter

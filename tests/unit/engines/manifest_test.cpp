@@ -52,18 +52,21 @@ TEST_F(ManifestTest, HashSeesEveryFileAndWhatItDependsOn) {
 }
 
 TEST_F(ManifestTest, WhatIsMissingIsNamedWithAHint) {
-  folder_.write("engine.toml", engine_manifest_with("adapter = [\"x\"]\nneeds = [\"{installed}/three/package.json\"]\n"));
+  folder_.write("engine.toml",
+                engine_manifest_with("adapter = [\"x\"]\nneeds = [\"{installed}/three/package.json\"]\n"));
   const Engine engine = load();
   ASSERT_EQ(engine.missing.size(), 1u);
   EXPECT_EQ(engine.missing[0], folder_.work() / "three/package.json");
-  EXPECT_THAT([&] { require_installed(engine); }, testing::ThrowsMessage<Error>(HasSubstr("scripts/install_engines.sh")));
+  EXPECT_THAT([&] { require_installed(engine); },
+              testing::ThrowsMessage<Error>(HasSubstr("scripts/install_engines.sh")));
 }
 
 TEST_F(ManifestTest, HasOneForm) {
   expect_error(engine_manifest_with(""), "not 0");
   expect_error(engine_manifest_with("adapter = [\"x\"]\ncommand = \"x {out}\"\n"), "not 2");
   expect_error(engine_manifest_with("lit = \"a.exr\"\n"), "'lit' and 'unlit' come as a pair");
-  expect_error(engine_manifest_with("picture = \"a.exr\"\nlit = \"a.exr\"\nunlit = \"b.exr\"\n"), "'picture' stands alone");
+  expect_error(engine_manifest_with("picture = \"a.exr\"\nlit = \"a.exr\"\nunlit = \"b.exr\"\n"),
+               "'picture' stands alone");
   expect_error(engine_manifest_with("adapter = []\n"), "names no program");
 }
 
@@ -72,7 +75,8 @@ TEST_F(ManifestTest, PlaceholdersAreChecked) {
   expect_error(engine_manifest_with("command = \"x {out\"\n"), "brace without its partner");
   expect_error(engine_manifest_with("command = \"x {scene}\"\n"), "neither {out} nor {lit} and {unlit}");
   expect_error(engine_manifest_with("command = \"x {lit}\"\n"), "neither {out} nor {lit} and {unlit}");
-  expect_error(engine_manifest_with("picture = \"{scene}.exr\"\n"), "'{scene}' is neither a parameter nor known here");
+  expect_error(engine_manifest_with("picture = \"{scene}.exr\"\n"),
+               "'{scene}' is neither a parameter nor known here");
 }
 
 TEST_F(ManifestTest, NamesWithAMeaningAreNoParameters) {

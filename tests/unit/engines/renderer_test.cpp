@@ -33,7 +33,10 @@ class EngineRendererTest : public testing::Test {
   }
   Frame render(const std::string& misbehave = "no", double grey = 0.5) {
     return renderer().render(triangle(),
-                             {.width_px = 7, .height_px = 5, .seed = 11, .technique = "tried",
+                             {.width_px = 7,
+                              .height_px = 5,
+                              .seed = 11,
+                              .technique = "tried",
                               .parameters = {{"misbehave", misbehave}, {"shadow.grey", grey}}},
                              progress_);
   }
@@ -48,7 +51,8 @@ class EngineRendererTest : public testing::Test {
     EXPECT_EQ(render("no", 0.25).image.plane("visibility")[3], 0.25f) << misbehave;
     return found;
   }
-  void expect_failure(const std::string& misbehave, const std::string& words, ErrorKind kind = ErrorKind::environment) {
+  void expect_failure(const std::string& misbehave, const std::string& words,
+                      ErrorKind kind = ErrorKind::environment) {
     const auto [found, text] = failure(misbehave);
     EXPECT_EQ(found, kind) << misbehave;
     EXPECT_THAT(text, HasSubstr("engine 'tried': ")) << misbehave;
@@ -94,8 +98,10 @@ TEST_F(EngineRendererTest, APairIsARatioAndIsUnknownWithoutLightOrWithMoreThanAl
       const int in_file = (4 - y) * 7 + x;
       const auto i = static_cast<size_t>(y * 7 + x);
       EXPECT_EQ(known[i], in_file % 5 == 0 ? 0.0f : 1.0f);
-      if (in_file % 5 == 0) ++unknown;
-      else EXPECT_FLOAT_EQ(v[i], 0.5f * static_cast<float>(in_file % 3));
+      if (in_file % 5 == 0)
+        ++unknown;
+      else
+        EXPECT_FLOAT_EQ(v[i], 0.5f * static_cast<float>(in_file % 3));
     }
   }
   EXPECT_EQ(unknown, 7);
@@ -143,13 +149,15 @@ TEST_F(EngineRendererTest, MuchChatterBlocksNobody) {
 
 TEST_F(EngineRendererTest, WhatDoesNotStartIsTriedThreeTimes) {
   folder_.write("start.txt", "fail");
-  for (int i = 0; i < 3; ++i) EXPECT_THAT([&] { render(); }, testing::ThrowsMessage<Error>(HasSubstr("no such device")));
+  for (int i = 0; i < 3; ++i)
+    EXPECT_THAT([&] { render(); }, testing::ThrowsMessage<Error>(HasSubstr("no such device")));
   EXPECT_THAT([&] { render(); }, testing::ThrowsMessage<Error>(HasSubstr("did not start 3 times in a row")));
 }
 
 TEST_F(EngineRendererTest, AnErrorBeforeReadyIsPassedOn) {
   folder_.write("start.txt", "error");
-  EXPECT_THAT([&] { render(); }, testing::ThrowsMessage<Error>(HasSubstr("engine 'tried': WebGL2 is not there")));
+  EXPECT_THAT([&] { render(); },
+              testing::ThrowsMessage<Error>(HasSubstr("engine 'tried': WebGL2 is not there")));
 }
 
 TEST_F(EngineRendererTest, AStartThatHangsIsEnded) {
@@ -162,7 +170,8 @@ TEST_F(EngineRendererTest, AStartThatHangsIsEnded) {
 
 TEST_F(EngineRendererTest, AProgramThatIsNotThereIsNamed) {
   folder_.write("engine.toml", engine_manifest_with("adapter = [\"/no/such/program\"]\n"));
-  EXPECT_THAT([&] { render(); }, testing::ThrowsMessage<Error>(HasSubstr("'/no/such/program' cannot be started: No such file")));
+  EXPECT_THAT([&] { render(); },
+              testing::ThrowsMessage<Error>(HasSubstr("'/no/such/program' cannot be started: No such file")));
 }
 
 TEST_F(EngineRendererTest, ACommandGetsValuesAsArgumentsAndNoShellSeesThem) {
@@ -174,12 +183,17 @@ TEST_F(EngineRendererTest, ACommandGetsValuesAsArgumentsAndNoShellSeesThem) {
       "open(sys.argv[2].replace('.exr', '.txt'), 'w')\\\" '$(touch {name}); *' {out} {scene}\"\n";
   folder_.write("engine.toml", engine_manifest_with(copy));
   // It writes no picture: that is what is said, and not that the assertion failed.
-  EXPECT_THAT([&] { render(); }, testing::ThrowsMessage<Error>(HasSubstr("neither a picture of visibility nor")));
+  EXPECT_THAT([&] { render(); },
+              testing::ThrowsMessage<Error>(HasSubstr("neither a picture of visibility nor")));
 }
 
 TEST_F(EngineRendererTest, ACommandThatFailsSaysItsLastWords) {
-  folder_.write("engine.toml", engine_manifest_with("command = \"python3 -c 'import sys; sys.exit(sys.argv[2])' {out} 'no {shadow.grey} today'\"\n"));
-  EXPECT_THAT([&] { render(); }, testing::ThrowsMessage<Error>(HasSubstr("ended with exit code 1; its last words: no 0.5 today")));
+  folder_.write(
+      "engine.toml",
+      engine_manifest_with(
+          "command = \"python3 -c 'import sys; sys.exit(sys.argv[2])' {out} 'no {shadow.grey} today'\"\n"));
+  EXPECT_THAT([&] { render(); }, testing::ThrowsMessage<Error>(
+                                     HasSubstr("ended with exit code 1; its last words: no 0.5 today")));
 }
 
 TEST_F(EngineRendererTest, FinishedPicturesAreChosenByNameAndParameter) {
@@ -198,8 +212,9 @@ TEST_F(EngineRendererTest, FinishedPicturesLieInTheFolder) {
 TEST_F(EngineRendererTest, LightsThatAreNotSupportedAreRefused) {
   Scene scene = triangle();
   scene.lights[0].type = LightType::disk;
-  EXPECT_THAT([&] { renderer().render(scene, {.width_px = 7, .height_px = 5, .technique = "tried"}, progress_); },
-              testing::ThrowsMessage<Error>(HasSubstr("does not support disk lights (it supports rect, sun)")));
+  EXPECT_THAT(
+      [&] { renderer().render(scene, {.width_px = 7, .height_px = 5, .technique = "tried"}, progress_); },
+      testing::ThrowsMessage<Error>(HasSubstr("does not support disk lights (it supports rect, sun)")));
 }
 
 }  // namespace
