@@ -47,7 +47,8 @@ void check_when(const Technique& technique, const Parameter& parameter) {
   for (const std::string& name : builtin_variables()) {
     if (name.starts_with("light.")) known.push_back(name);
   }
-  for (const std::string& name : Expression(parameter.when, parameter.where).names()) {
+  const Expression when(parameter.when, parameter.where);
+  for (const std::string& name : when.names()) {
     if (std::ranges::find(known, name) != known.end()) continue;
     fail_input(
         fmt::format("parameter '{}': unknown name '{}' in when = '{}'", parameter.name, name, parameter.when),
