@@ -138,7 +138,6 @@ async function draw(scene, target, body, material) {
 }
 
 export async function render({width_px: width, height_px: height, parameters: values, scene: description, mesh}) {
-  const fit = nearestLight(description.light, mesh.points);
   const scene = new BABYLON.Scene(engine);
   try {
     scene.useRightHandedSystem = true;
@@ -149,12 +148,12 @@ export async function render({width_px: width, height_px: height, parameters: va
     const target = new BABYLON.RenderTargetTexture("picture", {width, height}, scene,
       {type: BABYLON.Constants.TEXTURETYPE_FLOAT, samplingMode: BABYLON.Texture.NEAREST_SAMPLINGMODE, generateMipMaps: false});
     camera.outputRenderTarget = target;
-    const light = lightOf(scene, fit);
     const places = surfaceMaterial(scene, "position", description.camera.eye_world);
     camera.minZ = nearPlane(description.camera, await draw(scene, target, body, places));
     const position = await draw(scene, target, body, places);
     const normal = await draw(scene, target, body, surfaceMaterial(scene, "normal", description.camera.eye_world));
     const white = whiteMaterial(scene);
+    const light = lightOf(scene, nearestLight(description.light, mesh, position));
     const unlit = await draw(scene, target, body, white);
     shadowOf(light, body, values);
     const lit = await draw(scene, target, body, white);

@@ -91,7 +91,7 @@ function cameraOf(description, points, target) {
 
 function lightOf(fit, values, distance) {
   const entity = new pc.Entity("light");
-  const range = RANGE_SLACK * fit.far;
+  const range = RANGE_SLACK * (fit.reach ?? fit.far);
   entity.addComponent("light", {
     type: KINDS[fit.kind], intensity: 1, castShadows: false, shadowType: TYPES[values.type],
     ...(fit.kind === "sun" ? {shadowDistance: distance, numCascades: values.numCascades} : {range, falloffMode: pc.LIGHTFALLOFF_LINEAR}),
@@ -115,7 +115,6 @@ async function draw(target, body, material, width, height) {
 }
 
 export async function render({width_px: width, height_px: height, parameters: values, scene: description, mesh}) {
-  const fit = nearestLight(description.light, mesh.points);
   const colorBuffer = new pc.Texture(app.graphicsDevice, {
     width, height, format: pc.PIXELFORMAT_RGBA32F, mipmaps: false, minFilter: pc.FILTER_NEAREST, magFilter: pc.FILTER_NEAREST});
   const target = new pc.RenderTarget({colorBuffer, depth: true, samples: 1});
@@ -131,7 +130,7 @@ export async function render({width_px: width, height_px: height, parameters: va
     camera.camera.nearClip = nearPlane(description.camera, await draw(target, body, places, width, height));
     const position = await draw(target, body, places, width, height);
     const normal = await draw(target, body, facings, width, height);
-    light = lightOf(fit, values, camera.camera.farClip);
+    light = lightOf(nearestLight(description.light, mesh, position), values, camera.camera.farClip);
     app.root.addChild(light);
     const unlit = await draw(target, body, white, width, height);
     light.light.castShadows = true;

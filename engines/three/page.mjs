@@ -102,15 +102,13 @@ function draw(scene, camera, width, height, material) {
 }
 
 export async function render({width_px: width, height_px: height, parameters: values, scene: description, mesh}) {
-  const fit = nearestLight(description.light, mesh.points);
   const camera = cameraOf(description.camera, width / height, mesh.points);
   const scene = new THREE.Scene();
   const material = new THREE.MeshLambertMaterial({color: 0xffffff, side: THREE.DoubleSide, shadowSide: SIDES[values.shadowSide]});
   const body = new THREE.Mesh(geometryOf(mesh), material);
   body.frustumCulled = false;
   body.castShadow = body.receiveShadow = true;
-  const light = lightOf(fit, values);
-  scene.add(body, light, light.target ?? new THREE.Object3D());
+  scene.add(body);
   renderer.shadowMap.enabled = true;
   renderer.shadowMap.type = TYPES[values.type];
 
@@ -118,6 +116,8 @@ export async function render({width_px: width, height_px: height, parameters: va
   camera.updateProjectionMatrix();
   const position = draw(scene, camera, width, height, positionMaterial);
   const normal = draw(scene, camera, width, height, normalMaterial);
+  const light = lightOf(nearestLight(description.light, mesh, position), values);
+  scene.add(light, light.target ?? new THREE.Object3D());
   light.castShadow = true;
   const lit = draw(scene, camera, width, height, null);
   light.castShadow = false;

@@ -10,12 +10,14 @@ import os
 import pathlib
 import sys
 import tempfile
+import time
 
 from chromium import OFFLINE, Chromium
 from server import Server
 
 WEB = pathlib.Path(__file__).resolve().parent
 GRAPHICS = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"]
+SECONDS_TO_LOAD = 30
 SECONDS = 3600  # the program that asks has a limit of its own, and ends this one
 
 
@@ -35,8 +37,17 @@ class Page:
         self.browser = Chromium(tempfile.mkdtemp(prefix="profile-"), OFFLINE + GRAPHICS, SECONDS)
         self.browser.open_page()
         self.browser.navigate(self.server.url("web/index.html"))
+        self.wait_for_script()
         self.about = self.browser.evaluate("umbrameterReady")
         self.browser.console()
+
+    def wait_for_script(self):
+        """A page that is loaded may still be the blank one from before."""
+        deadline = time.monotonic() + SECONDS_TO_LOAD
+        while self.browser.evaluate("typeof umbrameterReady") == "undefined":
+            if time.monotonic() > deadline:
+                raise RuntimeError("its script does not run: " + "; ".join(self.browser.console()[:4]))
+            time.sleep(0.02)
 
     def render(self, request):
         self.server.readable["scene"] = pathlib.Path(request["scene"])

@@ -3,6 +3,7 @@
 #include "engines/engines.h"
 
 #include "core/error.h"
+#include "scenes/scene.h"
 #include "tests/support/engine_folder.h"
 
 #include <gmock/gmock.h>
@@ -213,7 +214,10 @@ TEST_F(EngineRendererTest, LightsThatAreNotSupportedAreRefused) {
   Scene scene = triangle();
   scene.lights[0].type = LightType::disk;
   EXPECT_THAT(
-      [&] { renderer().render(scene, {.width_px = 7, .height_px = 5, .technique = "tried"}, progress_); },
+      [&] {
+        renderer().render(scene, {.width_px = 7, .height_px = 5, .technique = "tried", .parameters = {}},
+                          progress_);
+      },
       testing::ThrowsMessage<Error>(HasSubstr("does not support disk lights (it supports rect, sun)")));
 }
 

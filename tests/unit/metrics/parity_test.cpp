@@ -141,5 +141,21 @@ TEST(ScoredMask, LeavesOutMismatchesAndPixelsTheLightCannotReach) {
   EXPECT_THROW(scored_mask(parity, wall(1, 4)), Error);
 }
 
+TEST(ScoredMask, LeavesOutWhatTheTestPictureDoesNotKnow) {
+  const Image reference = wall(4, 1);
+  Image test = reference;
+  test.add_plane("known", 1.0f);
+  test.plane("known")[2] = 0.0f;
+  test.plane("position.z")[3] = -20.0f;
+  test.plane("primitive_id")[3] = 8.0f;
+  const Parity parity = compare_surfaces(test, reference, kEye);
+  EXPECT_EQ(parity.classes[2], ParityClass::unknown);
+  EXPECT_EQ(parity.unknown, 1u);
+  EXPECT_EQ(parity.agreement, 0.75);  // surfaces that agree agree, known or not
+  EXPECT_EQ(scored_mask(parity, reference), (std::vector<uint8_t>{1, 1, 0, 0}));
+  EXPECT_EQ(known_mask(std::vector<uint8_t>{0, 1, 1, 1}, test), (std::vector<uint8_t>{0, 1, 0, 1}));
+  EXPECT_EQ(known_mask(std::vector<uint8_t>{0, 1, 1, 1}, reference), (std::vector<uint8_t>{0, 1, 1, 1}));
+}
+
 }  // namespace
 }  // namespace umbrameter
