@@ -9,7 +9,7 @@ set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # what is installed must be built, no
 
 set(data_folder "${CMAKE_INSTALL_DATADIR}/umbrameter")
 set(package_folder "${CMAKE_INSTALL_LIBDIR}/cmake/umbrameter")
-set(libraries core scenes metrics reference realtime study report)
+set(libraries core scenes metrics reference realtime engines study report)
 list(TRANSFORM libraries PREPEND umbrameter_ OUTPUT_VARIABLE library_targets)
 
 # What programs of this build tree read: the sources themselves.
@@ -20,6 +20,8 @@ install(TARGETS umbrameter COMPONENT program)
 install(TARGETS umbrameter-exact COMPONENT exact)  # a component of its own: GPL by what it links
 install(DIRECTORY scenes/library DESTINATION "${data_folder}/scenes" COMPONENT program)
 install(DIRECTORY realtime/techniques realtime/shaders DESTINATION "${data_folder}/realtime" COMPONENT program)
+install(DIRECTORY engines DESTINATION "${data_folder}" COMPONENT program FILES_MATCHING PATTERN "*.toml" PATTERN "*.mjs"
+        PATTERN "*.py" PATTERN "*.html" PATTERN "*.json" PATTERN "installed" EXCLUDE PATTERN "host" EXCLUDE)
 install(DIRECTORY studies suites DESTINATION "${data_folder}" COMPONENT program)
 install(FILES README.md DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT program)
 install(DIRECTORY docs/ DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT program)
@@ -44,7 +46,7 @@ install(FILES "${manual}/fish" DESTINATION "${CMAKE_INSTALL_DATADIR}/fish/vendor
         COMPONENT program)
 
 install(TARGETS ${library_targets} EXPORT umbrameter-targets COMPONENT development)
-foreach(room core scenes metrics reference realtime study report)
+foreach(room IN LISTS libraries)
   install(DIRECTORY ${room} DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/umbrameter" COMPONENT development
           FILES_MATCHING PATTERN "*.h" PATTERN "reference/exact" EXCLUDE PATTERN "assets" EXCLUDE
           PATTERN "techniques" EXCLUDE PATTERN "shaders" EXCLUDE PATTERN "library" EXCLUDE)

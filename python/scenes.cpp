@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "python/bindings.h"
+#include "scenes/choose_light.h"
 #include "scenes/load_scene.h"
 
+#include <fmt/ranges.h>
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
@@ -23,7 +25,7 @@ py::tuple three(const glm::dvec3& v) {
 
 py::list list_all(const std::string& library, const std::string& assets) {
   py::list all;
-  for (const SceneEntry& entry : list_scenes({assets, library})) {
+  for (const SceneEntry& entry : list_scenes({assets, library, {}})) {
     py::dict scene;
     scene["name"] = entry.name;
     scene["title"] = entry.title;
@@ -32,6 +34,24 @@ py::list list_all(const std::string& library, const std::string& assets) {
     all.append(scene);
   }
   return all;
+}
+
+std::shared_ptr<Scene> load(const std::string& name_or_path, const std::string& library,
+                            const std::string& assets, const std::string& light) {
+  const SceneSearch search{assets, library, {}};
+  Scene scene = load_scene(resolve_scene(name_or_path, search), search);
+  if (scene.lights.size() > 1) {
+    if (light.empty()) {
+      std::vector<std::string> names;
+      for (const Light& one : scene.lights) names.push_back(one.name);
+      fail_input(fmt::format("scene '{}' has {} lights and none is chosen", scene.name, names.size()), {},
+                 fmt::format("light= one of {}", fmt::join(names, ", ")));
+    }
+    scene = lit_by(std::move(scene), find_light(scene.lights, light));
+  } else if (!light.empty()) {
+    find_light(scene.lights, light);
+  }
+  return std::make_shared<Scene>(std::move(scene));
 }
 
 }  // namespace
@@ -53,14 +73,8 @@ void add_scenes(py::module_& module) {
         return rows_of_three(self, self.cast<const Scene&>().triangles);
       });
   module.def("list_scenes", &list_all, py::arg("library"), py::arg("assets"));
-  module.def(
-      "load_scene",
-      [](const std::string& name_or_path, const std::string& library, const std::string& assets) {
-        const SceneSearch search{assets, library};
-        return std::make_shared<Scene>(load_scene(resolve_scene(name_or_path, search), search));
-      },
-      py::arg("name_or_path"), py::arg("library"), py::arg("assets"),
-      py::call_guard<py::gil_scoped_release>());
+  module.def("load_scene", &load, py::arg("name_or_path"), py::arg("library"), py::arg("assets"),
+             py::arg("light"), py::call_guard<py::gil_scoped_release>());
 }
 
 }  // namespace umbrameter::python

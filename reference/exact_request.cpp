@@ -94,6 +94,7 @@ void require_indices(const ExactRequest& request, const Reader& reader) {
 
 void write_exact_request(const std::filesystem::path& file, const Scene& scene,
                          std::span<const ExactReceiver> receivers, int threads) {
+  UMBRAMETER_ASSERT(scene.cutouts.empty(), "the exact oracle knows no holes");
   std::ofstream stream(file, std::ios::binary);
   Writer writer(stream);
   writer.put(kFormat);

@@ -153,9 +153,10 @@ def scenes(assets: Optional[str] = None) -> Sequence[Mapping[str, Any]]:
     return _core.list_scenes(_library(), _assets(assets))
 
 
-def load_scene(name_or_path: Union[str, os.PathLike], assets: Optional[str] = None) -> Scene:
-    """A scene of the library by name, or a scene file."""
-    return _core.load_scene(os.fspath(name_or_path), _library(), _assets(assets))
+def load_scene(name_or_path: Union[str, os.PathLike], assets: Optional[str] = None, light: str = "") -> Scene:
+    """A scene of the library by name, or a scene file. One with several lights is seen under the `light` of that name or
+    number."""
+    return _core.load_scene(os.fspath(name_or_path), _library(), _assets(assets), light)
 
 
 def techniques() -> Sequence[Mapping[str, Any]]:

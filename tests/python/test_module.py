@@ -97,6 +97,19 @@ class Module(unittest.TestCase):
         self.assertNotEqual(um.render(self.scene, "pcss", preset=preset, **SIZE).parameters,
                             um.render(self.scene, "pcss", **SIZE).parameters)
 
+    def test_one_of_several_lights_must_be_chosen(self):
+        lamp = '[[light]]\nname = "{}"\ntype = "rect"\ncenter = [{}, 4, 0]\ndirection = [0, -1, 0]\nsize = [1, 1]\n'
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "two.toml"
+            file.write_text('title = "Two"\n[camera]\neye = [0, 2, 4]\nat = [0, 0, 0]\n' + lamp.format("left", -1)
+                            + lamp.format("right", 1) + '[[mesh]]\nshape = "plane"\nsize = [8, 8]\n')
+            with self.assertRaisesRegex(um.InputError, "2 lights and none is chosen.*left, right"):
+                um.load_scene(file)
+            hashes = {um.load_scene(file, light=name).hash for name in ("left", "right", "1")}
+            self.assertEqual(len(hashes), 2)
+            with self.assertRaisesRegex(um.InputError, "left"):
+                um.load_scene(file, light="lef")
+
     def test_errors_say_the_program_s_sentence(self):
         for call, arguments in (
                 (lambda: um.load_scene("plaet"), ["reference", "plaet"]),

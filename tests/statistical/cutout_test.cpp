@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Without these the truth of foliage could be that of solid cards, or of cards shifted by half a texel.
 
-#include "reference/exact/exact_check.h"
+#include "reference/exact_check.h"
 #include "tests/statistical/agreement.h"
 #include "tests/statistical/oracle_scenes.h"
 #include "tests/support/cutout_card.h"
