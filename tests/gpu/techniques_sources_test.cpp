@@ -104,7 +104,8 @@ TEST(curves, a_falloff_lightens_shadows_by_the_drop) {
   const auto before = plain.image.plane("visibility");
   const auto y = frame.image.plane("position.y");
   for (size_t i = 0; i < before.size(); ++i) {
-    if (std::abs(y[i]) < 1e-4f) ASSERT_NEAR(lightened[i], 0.5f * (1.0f + before[i]), 0.01f) << i;
+    if (std::abs(y[i]) > 1e-4f) continue;
+    ASSERT_NEAR(lightened[i], 0.5f * (1.0f + before[i]), 0.01f) << i;
   }
 }
 
