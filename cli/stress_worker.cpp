@@ -42,7 +42,7 @@ Home edited_home(const Home& home, const std::vector<ManifestEdit>& edits, const
     if (entry.path().extension() != ".toml") continue;
     write_file_atomically(entry.path(), with_edits(read_file(entry.path()), edits));
   }
-  return {home.library, techniques, home.shaders};
+  return {home.library, techniques, home.shaders, home.engines};
 }
 
 std::string key_of(const std::vector<ManifestEdit>& edits) {
