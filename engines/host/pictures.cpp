@@ -124,53 +124,34 @@ void add_primitives(Image& image) {
   }
 }
 
-/// Of hit pixels.
-double share_unknown(const Image& image) {
-  const std::span<const float> known = image.plane("known");
-  const bool has_hits = image.has("primitive_id");
-  size_t hit = 0, unknown = 0;
-  for (size_t i = 0; i < known.size(); ++i) {
-    if (has_hits && image.plane("primitive_id")[i] < 0.0f) continue;
-    ++hit;
-    if (known[i] == 0.0f) ++unknown;
-  }
-  return hit == 0 ? 0.0 : static_cast<double>(unknown) / static_cast<double>(hit);
-}
-
 }  // namespace
 
-EnginePicture read_engine_picture(const EngineFiles& files, int width_px, int height_px) {
-  EnginePicture out{Image(width_px, height_px), {}};
+Image read_engine_picture(const EngineFiles& files, int width_px, int height_px) {
+  Image image(width_px, height_px);
   const auto read = [&](const char* what) { return read_checked(files.at(what), width_px, height_px); };
   if (files.contains("visibility")) {
-    add_visibility(read("visibility"), files.at("visibility"), out.image);
+    add_visibility(read("visibility"), files.at("visibility"), image);
   } else if (files.contains("lit") && files.contains("unlit")) {
     const std::vector<float> lit = light_of(read("lit"), files.at("lit"));
     const std::vector<float> unlit = light_of(read("unlit"), files.at("unlit"));
     if (std::ranges::none_of(unlit, [](float value) { return value > 0.0f; }))
       fail_environment(
           "the picture without shadows is black: the engine's light does not reach what is seen");
-    add_ratio(lit, unlit, out.image);
+    add_ratio(lit, unlit, image);
   } else {
     fail_environment("there is neither a picture of visibility nor the pair lit and unlit");
   }
   for (const char* what : {"position", "normal"}) {
-    if (files.contains(what)) add_vectors(read(what), what, files.at(what), out.image);
+    if (files.contains(what)) add_vectors(read(what), what, files.at(what), image);
   }
   if (files.contains("surfaces")) {
     const Image surfaces = read("surfaces");
     for (const std::string what : {"position", "normal"}) {
-      if (surfaces.has(what + ".x")) add_vectors(surfaces, what, files.at("surfaces"), out.image);
+      if (surfaces.has(what + ".x")) add_vectors(surfaces, what, files.at("surfaces"), image);
     }
   }
-  if (out.image.has("position.x")) add_primitives(out.image);
-  if (const double unknown = share_unknown(out.image); unknown > 0.0) {
-    out.warnings.push_back(
-        fmt::format("{:.3g} % of the receivers have no light in the engine's picture without shadows, or "
-                    "more with them: not scored",
-                    100.0 * unknown));
-  }
-  return out;
+  if (image.has("position.x")) add_primitives(image);
+  return image;
 }
 
 void add_unshadowed_irradiance(const Scene& scene, Image& image) {
@@ -186,6 +167,22 @@ void add_unshadowed_irradiance(const Scene& scene, Image& image) {
           unshadowed_irradiance(scene.light(), vector_at("position", i), vector_at("normal", i)));
     }
   });
+}
+
+std::optional<std::string> unknown_warning(const Image& image) {
+  const std::span<const float> known = image.plane("known");
+  const bool has_irradiance = image.has("unshadowed_irradiance");
+  size_t lit = 0, unknown = 0;
+  for (size_t i = 0; i < known.size(); ++i) {
+    if (has_irradiance && image.plane("unshadowed_irradiance")[i] <= 0.0f) continue;
+    ++lit;
+    if (known[i] == 0.0f) ++unknown;
+  }
+  if (unknown == 0) return std::nullopt;
+  return fmt::format(
+      "{:.3g} % of the receivers have no light in the engine's picture without shadows, or more with them: "
+      "not scored",
+      100.0 * static_cast<double>(unknown) / static_cast<double>(lit));
 }
 
 }  // namespace umbrameter

@@ -7,29 +7,27 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
-#include <vector>
 
 namespace umbrameter {
 
 /// Files by what they show (engines/host/protocol.h).
 using EngineFiles = std::map<std::string, std::filesystem::path>;
 
-struct EnginePicture {
-  Image image;
-  std::vector<std::string> warnings;
-};
-
 /// "visibility" from a picture of it or from the pair lit / unlit, "known" where that ratio says nothing (0) and where it does (1),
 /// and as far as they are there position.x/y/z and normal.x/y/z. Position is NaN where nothing is hit; then primitive_id is
 /// -1, elsewhere kUnknownPrimitive, so that places and normals must agree with the truth's. Error{environment} for pictures of
 /// another size, with NaN or infinite light, cut off, or missing.
-EnginePicture read_engine_picture(const EngineFiles& files, int width_px, int height_px);
+Image read_engine_picture(const EngineFiles& files, int width_px, int height_px);
 
 /// No triangle has this number.
 inline constexpr float kUnknownPrimitive = static_cast<float>(kMaxTriangles);
 
 /// Adds unshadowed_irradiance of the scene's light at the picture's own places: engines do not know our units.
 void add_unshadowed_irradiance(const Scene& scene, Image& image);
+
+/// How many receivers that the light could reach are not known; absent when none is.
+std::optional<std::string> unknown_warning(const Image& image);
 
 }  // namespace umbrameter

@@ -94,10 +94,8 @@ class EngineRenderer final : public Renderer {
     try {
       progress.begin(open.engine.id, 1);
       const Answered answered = answer(open, scene, request, out, progress);
-      EnginePicture picture = read_engine_picture(answered.answer.files, request.width_px, request.height_px);
-      frame.image = std::move(picture.image);
+      frame.image = read_engine_picture(answered.answer.files, request.width_px, request.height_px);
       frame.warnings = answered.answer.warnings;
-      frame.warnings.insert(frame.warnings.end(), picture.warnings.begin(), picture.warnings.end());
       frame.memory_bytes = answered.answer.memory_bytes;
       frame.device = answered.ready.device.empty()
                          ? answered.ready.version
@@ -112,6 +110,7 @@ class EngineRenderer final : public Renderer {
     fs::remove_all(out);
     if (frame.image.has("normal.x") && frame.image.has("position.x"))
       add_unshadowed_irradiance(scene, frame.image);
+    if (const auto warning = unknown_warning(frame.image)) frame.warnings.push_back(*warning);
     frame.parameters = request.parameters;
     frame.wall_time_s = seconds_since(start);
     return frame;

@@ -20,6 +20,11 @@ std::string toml_text(const ParameterValue& value) {
   return std::holds_alternative<std::string>(value) ? "\"" + to_text(value) + "\"" : to_text(value);
 }
 
+/// Engines have dots in their names.
+std::string toml_key(const std::string& name) {
+  return name.find('.') == std::string::npos ? name : "\"" + name + "\"";
+}
+
 std::string summary(const TunePlan& plan, const TuneResult& result) {
   return fmt::format("{} for {}: {} {:.3g} times the defaults'", plan.technique.id,
                      fmt::join(result.scenes, ", "), name_of(plan.objective), result.best.ratio);
@@ -48,7 +53,7 @@ std::string preset_toml(const TunePlan& plan, const TuneResult& result) {
   for (const Parameter& parameter : plan.parameters) {
     const ParameterValue& value = result.best.values.at(parameter.name);
     if (is_tuned(result, parameter.name) || value != parameter.default_value)
-      text += fmt::format("{} = {}\n", parameter.name, toml_text(value));
+      text += fmt::format("{} = {}\n", toml_key(parameter.name), toml_text(value));
   }
   return text;
 }
