@@ -11,6 +11,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cstdlib>
+
 namespace umbrameter {
 namespace {
 
@@ -64,6 +66,13 @@ std::string request_text(const std::string& id_or_path) {
   return is_folder ? std::filesystem::absolute(id_or_path).string() : id_or_path;
 }
 
+/// What scripts/install_engines.sh wrote.
+std::filesystem::path installed_engines(const std::filesystem::path& root) {
+  const char* chosen = std::getenv("UMBRAMETER_ENGINES");
+  if (chosen != nullptr && *chosen != '\0') return std::filesystem::absolute(chosen);
+  return root / "engines" / "installed";
+}
+
 }  // namespace
 
 Home find_home() {
@@ -71,7 +80,7 @@ Home find_home() {
   return {root / "scenes" / "library",
           root / "realtime" / "techniques",
           root / "realtime" / "shaders",
-          {root / "engines", root / "engines" / "installed"}};
+          {root / "engines", installed_engines(root)}};
 }
 
 SceneSearch scene_search(const GlobalOptions& options, const Home& home) {

@@ -147,12 +147,15 @@ ForeignProcess::~ForeignProcess() {
 }
 
 void ForeignProcess::kill() {
-  if (id_ > 0) ::kill(-id_, SIGKILL);  // children may outlive their parent
-  if (exit_code_ || id_ <= 0) return;
-  ::kill(id_, SIGKILL);  // when it has no group of its own yet
-  int status = 0;
-  waitpid(id_, &status, 0);
-  exit_code_ = 128 + SIGKILL;
+  if (id_ <= 0) return;
+  ::kill(-id_, SIGKILL);  // children may outlive their parent
+  if (!exit_code_) {
+    ::kill(id_, SIGKILL);  // when it has no group of its own yet
+    int status = 0;
+    waitpid(id_, &status, 0);
+    exit_code_ = 128 + SIGKILL;
+  }
+  id_ = 0;  // another process may get the number
 }
 
 bool ForeignProcess::has_ended() {

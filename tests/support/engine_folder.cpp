@@ -50,7 +50,7 @@ doc = "visibility everywhere"
 std::string test_engine_manifest() {
   return engine_manifest_with(
       fmt::format("adapter = [\"python3\", \"{}/tests/engine/adapter.py\"]\n"
-                  "seconds_to_start = 20\nseconds_per_picture = 2\nmemory_mib = 300\n",
+                  "seconds_to_start = 20\nseconds_per_picture = 4\nmemory_mib = 300\n",
                   source_dir().string()));
 }
 

@@ -35,7 +35,7 @@ TEST_F(ManifestTest, SaysWhatThereIs) {
   ASSERT_EQ(engine.parameters.size(), 2u);
   EXPECT_EQ(engine.parameters[1].name, "shadow.grey");
   EXPECT_EQ(engine.parameters[1].stage, ParameterStage::host);
-  EXPECT_EQ(engine.limits.picture_s, 2.0);
+  EXPECT_EQ(engine.limits.picture_s, 4.0);
   EXPECT_EQ(engine.limits.memory_bytes, uint64_t{300} << 20);
 }
 

@@ -111,7 +111,7 @@ TEST_F(EngineRendererTest, APairIsARatioAndIsUnknownWithoutLightOrWithMoreThanAl
 }
 
 TEST_F(EngineRendererTest, WhatHangsIsEndedInTime) {
-  expect_failure("hang", "'python3' took longer than 2 s");
+  expect_failure("hang", "'python3' took longer than 4 s");
 }
 
 TEST_F(EngineRendererTest, WhatEndsSaysHowAndItsLastWords) {
