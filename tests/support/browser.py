@@ -10,69 +10,18 @@ pipe, so no port and no library is needed.
 """
 import base64
 import json
-import os
 import pathlib
-import subprocess
 import sys
 import time
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "engines" / "web"))
+from chromium import Chromium  # noqa: E402
 
 SECONDS = 90  # for the whole visit
 
 
-class Browser:
-    def __init__(self, profile):
-        to_browser, self.writer = os.pipe()
-        self.reader, from_browser = os.pipe()
-        command = ["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
-                   "--remote-debugging-pipe", f"--user-data-dir={profile}", "about:blank"]
-
-        def place_pipes():  # Chromium reads from 3 and writes to 4
-            source, target = os.dup(to_browser), os.dup(from_browser)
-            os.dup2(source, 3)
-            os.dup2(target, 4)
-
-        self.process = subprocess.Popen(command, preexec_fn=place_pipes, pass_fds=(3, 4), stderr=subprocess.DEVNULL)
-        os.close(to_browser)
-        os.close(from_browser)
-        os.set_blocking(self.reader, False)
-        self.rest, self.count, self.events, self.session = b"", 0, [], None
-        self.deadline = time.monotonic() + SECONDS
-
-    def message(self):
-        while b"\0" not in self.rest:
-            if time.monotonic() > self.deadline:
-                raise TimeoutError("Chromium does not answer")
-            try:
-                self.rest += os.read(self.reader, 1 << 20)
-            except BlockingIOError:
-                time.sleep(0.005)
-        text, self.rest = self.rest.split(b"\0", 1)
-        return json.loads(text)
-
-    def call(self, method, **parameters):
-        self.count += 1
-        request = {"id": self.count, "method": method, "params": parameters}
-        if self.session:
-            request["sessionId"] = self.session
-        os.write(self.writer, json.dumps(request).encode() + b"\0")
-        while True:
-            answer = self.message()
-            if answer.get("id") != self.count:
-                self.events.append(answer)
-                continue
-            if "error" in answer:
-                raise RuntimeError(f"{method}: {answer['error']}")
-            return answer["result"]
-
-    def wait_for(self, method):
-        while not any(event.get("method") == method for event in self.events):
-            self.events.append(self.message())
-
-    def evaluate(self, script):
-        answer = self.call("Runtime.evaluate", expression=script, awaitPromise=True, returnByValue=True)
-        if "exceptionDetails" in answer:
-            raise RuntimeError(answer["exceptionDetails"].get("exception", {}).get("description", "exception"))
-        return answer["result"].get("value")
+class Browser(Chromium):
+    """With what a person's hands do."""
 
     def press(self, key):
         typed = {"text": key} if len(key) == 1 else {}
@@ -111,19 +60,6 @@ class Browser:
         session, self.session = self.session, None  # the whole browser's setting
         self.call("Browser.setDownloadBehavior", behavior="allow", downloadPath=folder)
         self.session = session
-
-    def console(self):
-        lines = []
-        for event in self.events:
-            parameters = event.get("params", {})
-            if event.get("method") == "Runtime.exceptionThrown":
-                details = parameters["exceptionDetails"]
-                lines.append(details.get("exception", {}).get("description", details["text"]))
-            if event.get("method") == "Runtime.consoleAPICalled":
-                lines.append(" ".join(str(a.get("value", "")) for a in parameters["args"]))
-            if event.get("method") == "Log.entryAdded":
-                lines.append(parameters["entry"]["text"])
-        return lines
 
 
 def take(browser, step, values):
@@ -168,10 +104,7 @@ def take(browser, step, values):
 
 
 def visit(browser, page, steps):
-    target = browser.call("Target.createTarget", url="about:blank")["targetId"]
-    browser.session = browser.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
-    for domain in ("Page", "Runtime", "Log"):
-        browser.call(domain + ".enable")
+    browser.open_page()
     before = [step for step in steps if step.get("before")]
     for step in before:
         take(browser, step, [])
@@ -187,7 +120,7 @@ def visit(browser, page, steps):
 
 def main():
     page, steps, profile = sys.argv[1:]
-    browser = Browser(profile)
+    browser = Browser(profile, ["--disable-gpu"], SECONDS)
     try:
         print(json.dumps(visit(browser, page, json.loads(pathlib.Path(steps).read_text()))))
     finally:
