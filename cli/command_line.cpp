@@ -46,7 +46,7 @@ void group_verbs(CLI::App& app) {
   const Group groups[] = {{"Measure", {"validate", "score", "bench", "tune"}},
                           {"Studies of many runs", {"plan", "sweep", "merge", "export", "report"}},
                           {"Guard against regressions", {"regress", "stress", "selftest"}},
-                          {"Look at one thing", {"reference", "render", "scene", "techniques"}},
+                          {"Look at one thing", {"reference", "render", "scene", "techniques", "engines"}},
                           {"Help", {"doctor", "help"}}};
   for (const Group& group : groups) {
     for (const char* name : group.verbs) app.get_subcommand(name)->group(group.title);

@@ -71,7 +71,13 @@ EngineAnswer find_pictures(const Engine& engine, const PlaceholderValues& values
   return answer;
 }
 
-void require_support(const Engine& engine, const Light& light) {
+void require_support(const Engine& engine, const Scene& scene) {
+  const Light& light = scene.light();
+  if (!scene.cutouts.empty() && engine.form != EngineForm::pictures) {
+    fail_input(
+        fmt::format("engine '{}' gets no cut-outs: {} of {} triangles have holes, which scene.obj does not",
+                    engine.id, scene.cutouts.size(), scene.triangles.size()));
+  }
   if (engine.supports(light.type)) return;
   std::string supported;
   for (const auto& [type, text] : engine.lights)
@@ -88,7 +94,7 @@ class EngineRenderer final : public Renderer {
   Frame render(const Scene& scene, const RenderRequest& request, Progress& progress) override {
     const Clock::time_point start = Clock::now();
     OpenEngine& open = opened(request.technique);
-    require_support(open.engine, scene.light());
+    require_support(open.engine, scene);
     const fs::path out = made(settings_.work_folder / fmt::format("out-{}", ++requests_));
     Frame frame;
     try {

@@ -210,6 +210,17 @@ TEST_F(EngineRendererTest, FinishedPicturesLieInTheFolder) {
   EXPECT_THAT([&] { render(); }, testing::ThrowsMessage<Error>(HasSubstr("outside of the engine's folder")));
 }
 
+TEST_F(EngineRendererTest, CutOutsAreRefused) {
+  Scene scene = triangle();
+  scene.cutouts.push_back({});
+  EXPECT_THAT(
+      [&] {
+        renderer().render(scene, {.width_px = 7, .height_px = 5, .technique = "tried", .parameters = {}},
+                          progress_);
+      },
+      testing::ThrowsMessage<Error>(HasSubstr("gets no cut-outs: 1 of 1 triangles have holes")));
+}
+
 TEST_F(EngineRendererTest, LightsThatAreNotSupportedAreRefused) {
   Scene scene = triangle();
   scene.lights[0].type = LightType::disk;
