@@ -73,6 +73,10 @@ EngineAnswer find_pictures(const Engine& engine, const PlaceholderValues& values
 
 void require_support(const Engine& engine, const Scene& scene) {
   const Light& light = scene.light();
+  if (engine.quantity == EngineQuantity::irradiance) {
+    fail_input(fmt::format("engine '{}' draws irradiance, and runs are compared as visibility", engine.id),
+               {}, "'umbrameter score --quantity irradiance' judges its pictures");
+  }
   if (!scene.cutouts.empty() && engine.form != EngineForm::pictures) {
     fail_input(
         fmt::format("engine '{}' gets no cut-outs: {} of {} triangles have holes, which scene.obj does not",

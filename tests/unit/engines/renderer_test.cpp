@@ -221,6 +221,14 @@ TEST_F(EngineRendererTest, CutOutsAreRefused) {
       testing::ThrowsMessage<Error>(HasSubstr("gets no cut-outs: 1 of 1 triangles have holes")));
 }
 
+TEST_F(EngineRendererTest, IrradianceIsNotTakenForVisibility) {
+  std::string manifest = test_engine_manifest();
+  manifest.replace(manifest.find("\"visibility\""), 12, "\"irradiance\"");
+  folder_.write("engine.toml", manifest);
+  EXPECT_THAT([&] { render(); },
+              testing::ThrowsMessage<Error>(HasSubstr("draws irradiance, and runs are compared")));
+}
+
 TEST_F(EngineRendererTest, LightsThatAreNotSupportedAreRefused) {
   Scene scene = triangle();
   scene.lights[0].type = LightType::disk;
