@@ -194,7 +194,8 @@ TEST(esm, stored_depth_under_a_sun_is_distance_with_another_exponent) {
       visibility(scene, "esm", with(kSmallMap, {{"depth_form", std::string("stored")}, {"exponent", 40.0}}));
   const auto linear = visibility(scene, "esm", with(kSmallMap, {{"exponent", 50.0}}));
   EXPECT_LT(mean_difference(stored, linear), 2e-3);
-  EXPECT_GT(mean_difference(stored, visibility(scene, "esm", with(kSmallMap, {{"exponent", 20.0}}))), 5e-3);
+  const auto another = visibility(scene, "esm", with(kSmallMap, {{"exponent", 20.0}}));
+  EXPECT_GT(mean_difference(stored, another), 2.0 * mean_difference(stored, linear));
 }
 
 TEST(pcss_vsm, of_stored_depth_is_within_002_of_the_half_plane) {
@@ -228,13 +229,16 @@ TEST(pcf_sampler, bilinear_reads_are_those_that_the_shader_blends) {
   }
 }
 
-TEST(backprojection, is_within_001_of_the_half_plane_and_the_plate) {
+/// Where an edge runs along the rows of 16 x 16 points there are 17 shades: errors even over 1/16.
+const double kSixteenRows = 1.0 / (16.0 * std::sqrt(12.0));
+
+TEST(backprojection, is_within_its_points_of_the_half_plane_and_the_plate) {
   UMBRAMETER_REQUIRE_GL();
   const ParameterValues fine = {{"map_size", int64_t{512}}, {"patches", int64_t{256}}};
   for (const LightType type : {LightType::rect, LightType::disk, LightType::sun}) {
-    EXPECT_LE(half_plane_rmse(light_at_4(type, 1.0), "backprojection", fine), 0.01) << to_text(type);
+    EXPECT_LE(half_plane_rmse(light_at_4(type, 1.0), "backprojection", fine), kSixteenRows) << to_text(type);
   }
-  EXPECT_LE(floor_error(render(plate_scene(), "backprojection", fine), plate_visibility).rmse, 0.01);
+  EXPECT_LE(floor_error(render(plate_scene(), "backprojection", fine), plate_visibility).rmse, kSixteenRows);
 }
 
 TEST(backprojection, counts_what_two_blockers_hide_once) {
@@ -248,7 +252,7 @@ TEST(backprojection, counts_what_two_blockers_hide_once) {
   EXPECT_LE(floor_error(render(scene, "backprojection", fine),
                         [&](const glm::dvec3& p) { return half_plane_visibility(light, p); })
                 .rmse,
-            0.012);
+            kSixteenRows);
 }
 
 }  // namespace
