@@ -4,11 +4,16 @@
 #include "core/error.h"
 #include "engines/engines.h"
 #include "metrics/parity.h"
+#include "metrics/surface.h"
 #include "realtime/device_identity.h"
 
 #include <fmt/format.h>
 
+#include <glm/geometric.hpp>
+
+#include <cmath>
 #include <filesystem>
+#include <numbers>
 
 namespace umbrameter {
 namespace {
@@ -23,14 +28,46 @@ void complete(const Image& ours, Frame& frame) {
   Image& image = frame.image;
   if (!image.has("position.x")) {
     frame.warnings.emplace_back(kNoPlaces);
-    for (const char* name :
-         {"position.x", "position.y", "position.z", "primitive_id", "unshadowed_irradiance"})
+    for (const char* name : {"position.x", "position.y", "position.z", "primitive_id"})
       image.planes[name] = ours.planes.at(name);
   }
+  // Engines do not know our units: what the light would give is ours wherever the surfaces are.
+  image.planes["unshadowed_irradiance"] = ours.planes.at("unshadowed_irradiance");
   if (image.has("normal.x")) return;
   frame.warnings.emplace_back(kNoNormals);
-  for (const char* name : {"normal.x", "normal.y", "normal.z", "unshadowed_irradiance"})
-    image.planes[name] = ours.planes.at(name);
+  for (const char* name : {"normal.x", "normal.y", "normal.z"}) image.planes[name] = ours.planes.at(name);
+}
+
+/// Rasterisers round corners to parts of a pixel, each to its own: the same triangle where a point lies within a quarter
+/// of a pixel of ours and faces the same way. Elsewhere the tolerances of parity decide.
+void match_triangles(const Image& ours, Image& theirs) {
+  constexpr double kShare = 0.25;
+  const double least_cosine = std::cos(ParityTolerance{}.normal_deg * std::numbers::pi / 180.0);
+  const SurfaceView mine = checked_surface(ours), its = checked_surface(theirs);
+  const std::span<float> primitive = theirs.plane("primitive_id");
+  for (size_t i = 0; i < primitive.size(); ++i) {
+    if (!mine.hit(i) || !its.hit(i)) continue;
+    const double apart = glm::length(its.p_world(i) - mine.p_world(i));
+    const bool is_here = apart <= kShare * pixel_extent_world(mine, i);
+    if (is_here && glm::dot(its.n_world(i), mine.n_world(i)) >= least_cosine)
+      primitive[i] = mine.primitive[i];
+  }
+}
+
+/// Among receivers that the light can reach; absent when there are none.
+std::optional<std::string> unknown_warning(const Parity& parity, const Image& image) {
+  const std::span<const float> irradiance = image.plane("unshadowed_irradiance");
+  size_t lit = 0, unknown = 0;
+  for (size_t i = 0; i < irradiance.size(); ++i) {
+    if (irradiance[i] <= 0.0f) continue;
+    ++lit;
+    if (parity.classes[i] == ParityClass::unknown) ++unknown;
+  }
+  if (unknown == 0) return std::nullopt;
+  return fmt::format(
+      "{:.3g} % of the receivers have no light in the engine's picture without shadows, or more "
+      "with them: not scored",
+      100.0 * static_cast<double>(unknown) / static_cast<double>(lit));
 }
 
 std::string parity_text(const Parity& parity) {
@@ -43,6 +80,7 @@ std::string parity_text(const Parity& parity) {
 void take_surfaces(const Scene& scene, const Image& ours, Frame& frame) {
   const glm::dvec3& eye = scene.camera.eye_world;
   const double eye_world[3] = {eye.x, eye.y, eye.z};
+  match_triangles(ours, frame.image);
   const Parity parity = compare_surfaces(frame.image, ours, eye_world);
   if (!parity.passes)
     fail_environment(fmt::format("the engine's surfaces agree in {}, fewer than {:.4g} %",
@@ -52,6 +90,7 @@ void take_surfaces(const Scene& scene, const Image& ours, Frame& frame) {
   const std::span<float> known = image.add_plane("known");
   for (size_t i = 0; i < known.size(); ++i) known[i] = parity.classes[i] == ParityClass::agrees ? 1.0f : 0.0f;
   image.metadata["engine_parity"] = parity_text(parity);
+  if (const auto warning = unknown_warning(parity, image)) frame.warnings.push_back(*warning);
   frame.image = std::move(image);
 }
 

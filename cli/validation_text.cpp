@@ -35,7 +35,7 @@ std::vector<std::string> row(const SceneResult& scene, const TechniqueResult& ru
   const std::string memory = run.memory_bytes > 0 ? format_bytes(run.memory_bytes) : kNotApplicable;
   if (!run.error) {
     const char* reason = run.failure ? "failed" : scene.parity ? "void" : "not compared";
-    return {scene.name, run.label, reason, "", "", "", "", "", "", "", time, memory};
+    return {scene.name, run.label, reason, "", "", "", "", "", "", "", "", time, memory};
   }
   const VisibilityError& error = *run.error;
   return {scene.name,

@@ -16,8 +16,8 @@ struct EngineSettings {
 };
 
 /// RenderRequest::technique is an engine's id or folder. Each adapter is started with its first request and ended with
-/// the renderer. A frame has what the engine's files have: visibility, known, maybe position, normal, primitive_id and
-/// unshadowed_irradiance. Errors of an engine never end the renderer: the next request starts it anew.
+/// the renderer. A frame has what the engine's files have: visibility, known, maybe position, normal and
+/// primitive_id. Errors of an engine never end the renderer: the next request starts it anew.
 std::unique_ptr<Renderer> make_engine_renderer(const EngineSettings& settings);
 
 /// Starts the engine's adapter, or looks for the command's program, and returns what it says of itself.

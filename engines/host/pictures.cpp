@@ -5,9 +5,6 @@
 #include "core/image_io.h"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
-
-#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <array>
@@ -152,37 +149,6 @@ Image read_engine_picture(const EngineFiles& files, int width_px, int height_px)
   }
   if (image.has("position.x")) add_primitives(image);
   return image;
-}
-
-void add_unshadowed_irradiance(const Scene& scene, Image& image) {
-  const std::span<float> irradiance = image.add_plane("unshadowed_irradiance");
-  const auto vector_at = [&](const std::string& what, size_t i) {
-    return glm::dvec3{image.plane(what + ".x")[i], image.plane(what + ".y")[i], image.plane(what + ".z")[i]};
-  };
-  tbb::parallel_for(0, image.height, [&](int y) {
-    const auto width = static_cast<size_t>(image.width);
-    for (size_t i = static_cast<size_t>(y) * width; i < (static_cast<size_t>(y) + 1) * width; ++i) {
-      if (image.plane("primitive_id")[i] < 0.0f) continue;
-      irradiance[i] = static_cast<float>(
-          unshadowed_irradiance(scene.light(), vector_at("position", i), vector_at("normal", i)));
-    }
-  });
-}
-
-std::optional<std::string> unknown_warning(const Image& image) {
-  const std::span<const float> known = image.plane("known");
-  const bool has_irradiance = image.has("unshadowed_irradiance");
-  size_t lit = 0, unknown = 0;
-  for (size_t i = 0; i < known.size(); ++i) {
-    if (has_irradiance && image.plane("unshadowed_irradiance")[i] <= 0.0f) continue;
-    ++lit;
-    if (known[i] == 0.0f) ++unknown;
-  }
-  if (unknown == 0) return std::nullopt;
-  return fmt::format(
-      "{:.3g} % of the receivers have no light in the engine's picture without shadows, or more with them: "
-      "not scored",
-      100.0 * static_cast<double>(unknown) / static_cast<double>(lit));
 }
 
 }  // namespace umbrameter

@@ -7,7 +7,6 @@
 
 #include <filesystem>
 #include <map>
-#include <optional>
 #include <string>
 
 namespace umbrameter {
@@ -23,11 +22,5 @@ Image read_engine_picture(const EngineFiles& files, int width_px, int height_px)
 
 /// No triangle has this number.
 inline constexpr float kUnknownPrimitive = static_cast<float>(kMaxTriangles);
-
-/// Adds unshadowed_irradiance of the scene's light at the picture's own places: engines do not know our units.
-void add_unshadowed_irradiance(const Scene& scene, Image& image);
-
-/// How many receivers that the light could reach are not known; absent when none is.
-std::optional<std::string> unknown_warning(const Image& image);
 
 }  // namespace umbrameter

@@ -118,9 +118,6 @@ class EngineRenderer final : public Renderer {
       throw Error(error.kind(), fmt::format("engine '{}': {}", open.engine.id, error.what()));
     }
     fs::remove_all(out);
-    if (frame.image.has("normal.x") && frame.image.has("position.x"))
-      add_unshadowed_irradiance(scene, frame.image);
-    if (const auto warning = unknown_warning(frame.image)) frame.warnings.push_back(*warning);
     frame.parameters = request.parameters;
     frame.wall_time_s = seconds_since(start);
     return frame;

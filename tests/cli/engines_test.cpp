@@ -78,6 +78,17 @@ bool is_installed(const std::string& package) {
                                  "package.json");
 }
 
+TEST_F(EnginesTest, TheTableSaysWhatFailed) {
+  require_gl();
+  const EngineFolder engine;
+  std::vector<std::string> arguments = {"validate", "plate", "--technique",
+                                        engine.path().string() + ":misbehave=crash"};
+  arguments.insert(arguments.end(), kSmall.begin(), kSmall.end());
+  const ProcessResult result = umbrameter(arguments);
+  EXPECT_THAT(result.err, HasSubstr("the driver is gone"));
+  EXPECT_THAT(result.err, testing::Not(HasSubstr("internal")));
+}
+
 TEST_F(EnginesTest, ThreeDrawsWhatWeDraw) {
   if (!is_installed("three")) GTEST_SKIP() << "three.js is not installed: scripts/install_engines.sh";
   require_gl();

@@ -106,8 +106,6 @@ TEST_F(EngineRendererTest, APairIsARatioAndIsUnknownWithoutLightOrWithMoreThanAl
     }
   }
   EXPECT_EQ(unknown, 7);
-  ASSERT_EQ(frame.warnings.size(), 1u);
-  EXPECT_THAT(frame.warnings[0], HasSubstr("20 % of the receivers"));
 }
 
 TEST_F(EngineRendererTest, WhatHangsIsEndedInTime) {
