@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The listing and naming half of load_scene.h.
 
+#include "core/file_hint.h"
 #include "core/names.h"
+#include "scenes/file_ending.h"
 #include "scenes/load_scene.h"
 #include "scenes/read_mesh.h"
 
@@ -48,6 +50,21 @@ std::vector<std::pair<std::string, fs::path>> name_scenes(const SceneSearch& sea
   return scenes;
 }
 
+bool looks_like_file(const std::string& text) {
+  return fs::path(text).has_extension();
+}
+
+/// A mesh has neither camera nor light.
+void refuse_mesh(const std::string& file) {
+  for (const char* ending : {".obj", ".stl", ".ply", ".fbx", ".gltf", ".glb"}) {
+    if (!has_ending(file, ending)) continue;
+    fail_input("this is a mesh, not a scene", {file},
+               fmt::format("write a scene file with a [camera], a [[light]] and [[mesh]] file = \"{}\" "
+                           "(docs/scene-format.md)",
+                           fs::path(file).filename().string()));
+  }
+}
+
 }  // namespace
 
 std::vector<SceneEntry> list_scenes(const SceneSearch& search) {
@@ -58,14 +75,17 @@ std::vector<SceneEntry> list_scenes(const SceneSearch& search) {
 
 std::filesystem::path resolve_scene(const std::string& name_or_path, const SceneSearch& search) {
   std::error_code ignored;
-  if (fs::is_regular_file(name_or_path, ignored)) return name_or_path;
+  if (fs::is_regular_file(name_or_path, ignored)) {
+    refuse_mesh(name_or_path);
+    return name_or_path;
+  }
   std::vector<std::string> names;
   for (const auto& [name, file] : name_scenes(search)) {
     if (name == name_or_path) return file;
     names.push_back(name);
   }
   fail_input(fmt::format("no scene or scene file is called '{}'", name_or_path), {},
-             suggest_name(name_or_path, names));
+             looks_like_file(name_or_path) ? hint_for_missing(name_or_path) : suggest_name(name_or_path, names));
 }
 
 }  // namespace umbrameter

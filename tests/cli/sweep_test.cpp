@@ -184,6 +184,9 @@ TEST_F(GlSweepCommand, AFailedRunIsRecordedAndTheRestGoesOn) {
   EXPECT_EQ(std::ranges::count(csv.out, '\n'), static_cast<int>(1 + kRuns + 2));
   EXPECT_THAT(csv.out, HasSubstr(",failed,,,,"));
   EXPECT_THAT(umbrameter({"export", "out"}).out, HasSubstr("RMSE"));
+  EXPECT_EQ(umbrameter({"export", "out", "--csv", "-o", "runs.csv"}).out, "");
+  std::ifstream written(folder() / "runs.csv");
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(written), {}), csv.out);
   // The failure is known: nothing is tried again, and the exit code still says so.
   EXPECT_EQ(json({"sweep", "study.toml", "--out", "out"}, 2)["rendered"], 0);
 }

@@ -104,7 +104,7 @@ TEST(Results, CarryTheirContext) {
 TEST(Results, AnythingElseIsOneSentence) {
   EXPECT_THAT([] { parse_results("{", "a/results.json"); },
               ThrowsMessage<Error>(HasSubstr("a/results.json: not a results file")));
-  EXPECT_THAT([] { parse_results("{\"schema\": 3}", "r.json"); },
+  EXPECT_THAT([] { parse_results("{\"schema\": 4}", "r.json"); },
               ThrowsMessage<Error>(HasSubstr("not a results file")));
   EXPECT_THAT([] { parse_results("{\"schema\": 99}", "r.json"); },
               ThrowsMessage<Error>(HasSubstr("schema 99")));
