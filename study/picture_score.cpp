@@ -47,8 +47,9 @@ void take_surfaces(const PictureInput& input, SurfaceReading reading, const Imag
       read_surfaces(is_own_file ? std::vector{input.files.name()} : input.files.surfaces);
   if (is_own_file) surfaces.not_understood.clear();  // nobody promised any
   const bool has_position = surfaces.channels.has("position.x");
-  if (is_own_file && !has_position && reading.camera == nullptr &&
-      surfaces.channels.planes.erase("depth") > 0)
+  const bool drops_depth = is_own_file && !has_position && reading.camera == nullptr &&
+                           surfaces.channels.planes.erase("depth") > 0;
+  if (drops_depth && input.files.choice.channel.empty())
     out.notes.push_back(
         "the picture's depth is not looked at: where points are needs the camera, give --scene");
   for (std::string& note : add_surfaces(surfaces, reading, reference, out.test))
@@ -74,9 +75,11 @@ double size_of(const std::optional<Interval>& rmse) {
 }
 
 void note_readings(const EnginePicture& picture, PictureScore& out) {
-  if (is_inverted(picture.test, out.reference, picture.values.known))
-    out.notes.push_back(
+  if (is_inverted(picture.test, out.reference, picture.values.known)) {
+    out.notes.emplace_back(
         "the picture fits the truth far better when it is inverted: it seems to hold shadow, not visibility");
+    return;
+  }
   if (out.score.has_surfaces && out.score.parity.passes) return;
   if (const auto better = better_alignment(picture.test, out.reference, picture.values.known))
     out.notes.push_back("the picture fits the truth far better when it is read " + *better);
