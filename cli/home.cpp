@@ -160,13 +160,17 @@ Technique find_run(const std::string& id_or_path, const Home& home) {
   return technique;
 }
 
+std::unique_ptr<Renderer> open_gl_renderer(const GlobalOptions& options, const Home& home,
+                                           bool cull_casters) {
+  return make_realtime_renderer({.techniques_folder = home.techniques,
+                                 .shaders_folder = home.shaders,
+                                 .device = options.device,
+                                 .cull_casters = cull_casters});
+}
+
 std::unique_ptr<Renderer> open_realtime_renderer(const GlobalOptions& options, const Home& home,
                                                  bool cull_casters) {
-  return std::make_unique<RunRenderer>(make_realtime_renderer({.techniques_folder = home.techniques,
-                                                               .shaders_folder = home.shaders,
-                                                               .device = options.device,
-                                                               .cull_casters = cull_casters}),
-                                       home.engines);
+  return std::make_unique<RunRenderer>(open_gl_renderer(options, home, cull_casters), home.engines);
 }
 
 }  // namespace umbrameter

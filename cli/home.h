@@ -55,4 +55,8 @@ Technique find_run(const std::string& id_or_path, const Home& home);
 std::unique_ptr<Renderer> open_realtime_renderer(const GlobalOptions& options, const Home& home,
                                                  bool cull_casters = true);
 
+/// Of techniques alone, no engines: what realtime/inspect.h looks into.
+std::unique_ptr<Renderer> open_gl_renderer(const GlobalOptions& options, const Home& home,
+                                           bool cull_casters = true);
+
 }  // namespace umbrameter

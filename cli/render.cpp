@@ -96,7 +96,8 @@ int render(const RenderOptions& options, const GlobalOptions& global) {
   RenderRequest request = request_of(quality.picture);
   request.technique = run.technique;
   request.parameters = run.parameters;
-  if (!options.dump.empty()) return dump(options, run, job, request, *renderer, global);
+  if (!options.dump.empty())
+    return dump(options, run, job, request, *open_gl_renderer(global, home, !options.no_skip), global);
   const StagedFile file(global.out.empty() ? "visibility.exr" : global.out, ".exr");
   ProgressBar progress;
   const LabelledRequest labelled{run.label, request};

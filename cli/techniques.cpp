@@ -167,7 +167,7 @@ int check(const std::string& path, const GlobalOptions& global) {
 int print_glsl(const std::string& text, const GlobalOptions& global) {
   const Home home = find_home();
   const TechniqueRun run = choose_technique(text, {}, home);
-  const auto renderer = open_realtime_renderer(global, home);
+  const auto renderer = open_gl_renderer(global, home);
   Json shaders = Json::array();
   std::string answer;
   std::set<std::string> seen;
