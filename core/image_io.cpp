@@ -153,8 +153,10 @@ Image read_image(const std::filesystem::path& path) {
 
 Image read_image(std::span<const uint8_t> bytes, const std::string& name) {
   OIIO::Filesystem::IOMemReader reader(const_cast<uint8_t*>(bytes.data()), bytes.size());
-  const OIIO::ImageSpec config = as_stored();
-  return whole_first(read_opened(OIIO::ImageInput::open(name, &config, &reader), name), name);
+  OIIO::Filesystem::IOProxy* proxy = &reader;
+  OIIO::ImageSpec config = as_stored();
+  config.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);  // beside a config, open()'s own argument is not heard
+  return whole_first(read_opened(OIIO::ImageInput::open(name, &config), name), name);
 }
 
 void write_exr(const std::filesystem::path& path, const Image& image) {

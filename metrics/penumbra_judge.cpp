@@ -83,7 +83,9 @@ double px_per_world(const WalkedProfile& walked, const Curve& curve) {
   return walked_px / (curve.position.back() - curve.position.front());
 }
 
+/// A reference too sharp to be resolved has a width of 0, as has a test that is as sharp.
 double octaves(double test, double reference, double hardest_share) {
+  if (!(reference > 0.0)) return test > 0.0 ? -std::log2(hardest_share) : 0.0;
   return std::log2(std::max(test / reference, hardest_share));
 }
 

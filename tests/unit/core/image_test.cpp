@@ -60,6 +60,8 @@ TEST(ImageIo, PngRoundTrips) {
   const Image back = read_image(folder.path() / "a.png");
   EXPECT_FLOAT_EQ(back.plane("R")[0], 1.0f);
   EXPECT_NEAR(back.plane("B")[3], 30.0f / 255.0f, 1e-6f);
+  const Image from_bytes = read_image(encode_png(2, 2, rgb), "b.png");
+  EXPECT_EQ(from_bytes.planes, back.planes);
 }
 
 TEST(Image, MissingChannelsAndNansAreNamed) {
