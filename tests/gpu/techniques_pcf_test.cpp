@@ -3,6 +3,7 @@
 
 #include "tests/gpu/technique_fixture.h"
 #include "tests/support/procedural_scene.h"
+#include "tests/support/source_dir.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>

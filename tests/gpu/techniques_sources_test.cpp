@@ -44,12 +44,6 @@ double half_plane_rmse(const Light& light, const std::string& technique, const P
   return half_plane_rmse(light, technique, parameters, light);
 }
 
-double mean(const std::vector<float>& v) {
-  double sum = 0.0;
-  for (const float value : v) sum += value;
-  return sum / static_cast<double>(v.size());
-}
-
 TEST(curves, the_ratio_under_a_lamp_is_the_physical_penumbra) {
   UMBRAMETER_REQUIRE_GL();
   // Half the light over the receiver's distance times (z_r - z_b) / z_b is h (1/z_b - 1/z_r).
