@@ -24,8 +24,10 @@ struct Point {
 
 std::vector<Point> sorted_points(const PenumbraError& penumbra) {
   std::vector<Point> points;
+  const double hardest = std::log2(PenumbraSettings{}.hardest_share);
   for (const PenumbraProfile& profile : penumbra.profiles) {
-    if (profile.outcome != ProfileOutcome::accepted) continue;
+    // The width of a hard edge is the pixel's.
+    if (profile.outcome != ProfileOutcome::accepted || profile.width_octaves <= hardest) continue;
     points.push_back({std::log2(profile.reference_width_world), std::log2(profile.test_width_world)});
   }
   std::stable_sort(points.begin(), points.end(),

@@ -121,7 +121,8 @@ Signs signs_of(const FaultInput& input, size_t i, float residual, bool is_dark, 
   const double epsilon = input.settings.lit_epsilon;
   const bool plain = is_dark ? extreme > 1.0 - epsilon : extreme < epsilon;
   add(Sign::plain, plain);
-  add(Sign::terminator, at_terminator(input, i, is_dark));
+  add(Sign::terminator, is_dark ? normals_disagree(input, i, input.settings.terminator_deg)
+                                : on_own_facets(input, i) || at_own_horizon(input, i));
   add(Sign::blurred, is_blurred(input, i, is_dark, around));
   add(Sign::edge, at_thin_caster(input, i, around));
   if (!is_dark && input.r[i] < 0.5f) {
@@ -179,9 +180,8 @@ bool in_contact(const FaultInput& input, size_t i) {
          distance < kContactTexels * input.texels.width_world[i];
 }
 
-bool at_terminator(const FaultInput& input, size_t i, bool is_dark) {
-  if (normals_disagree(input, i, input.settings.terminator_deg)) return true;
-  return !is_dark && (at_own_horizon(input, i) || at_grazing_facet(input, i));
+bool on_own_facets(const FaultInput& input, size_t i) {
+  return normals_disagree(input, i, input.settings.terminator_deg) || at_grazing_facet(input, i);
 }
 
 std::vector<Signs> read_signs(const FaultInput& input, std::span<const float> residual, bool is_dark,

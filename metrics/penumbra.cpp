@@ -29,6 +29,8 @@ std::optional<PenumbraProfile> measure_flank(const ReferenceField& field, std::s
   const Walk dark = walk_profile(field, test, seed, *ascent, false, settings.max_length_px);
   const Walk bright = walk_profile(field, test, seed, *ascent, true, settings.max_length_px);
   const float own = field.visibility[seed];
+  // A flank leads to light or shade that turns round, not out of sight.
+  if ((own < 0.5f ? bright : dark).end == WalkEnd::broken) return std::nullopt;
   if (crosses_half(field, dark, own) || crosses_half(field, bright, own)) return std::nullopt;
   PenumbraProfile profile = found;
   const size_t width = static_cast<size_t>(field.surface.width);
