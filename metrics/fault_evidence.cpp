@@ -50,7 +50,8 @@ bool touches(const FaultInput& input, size_t i) {
 
 bool at_grazing_facet(const FaultInput& input, size_t i) {
   if (input.irradiance.empty() || input.irradiance[i] > kGrazing * input.largest_irradiance) return false;
-  return normals_disagree(input, i, kSmoothMeshDeg) && in_contact(input, i);
+  return normals_disagree(input, i, kSmoothMeshDeg) &&
+         (input.blocker_layers[i] == 0.0f || in_contact(input, i));
 }
 
 // In part dark without a blocker: the receiver's own plane cuts the light.
@@ -230,7 +231,9 @@ Surroundings look_around(const FaultInput& input, std::span<const uint8_t> thin)
   Surroundings around;
   around.nearest_edge = nearest_feature(is_edge, input.surface.width, height);
   if (!thin.empty()) around.nearest_thin = nearest_feature(thin, input.surface.width, height);
-  around.blurred_truth = blurred_as_picture(input.v, input.r, input.mask, input.surface.width, height);
+  std::vector<uint8_t> seen(input.mask.size());
+  for (size_t i = 0; i < seen.size(); ++i) seen[i] = input.surface.hit(i) ? 1 : 0;
+  around.blurred_truth = blurred_as_picture(input.v, input.r, input.mask, seen, input.surface.width, height);
   return around;
 }
 

@@ -137,13 +137,18 @@ PenumbraError measure_penumbra(const Image& test, const Image& reference, std::s
       });
 
   PenumbraError out;
-  std::vector<double> octaves, octaves_10_90, offsets;
   for (const auto& profile : found) {
     if (!profile) continue;
     out.profiles.push_back(*profile);
     ++out.outcomes[static_cast<size_t>(profile->outcome)];
-    if (profile->outcome != ProfileOutcome::accepted) continue;
     out.partial += profile->is_partial ? 1 : 0;
+  }
+  // A stretch's width and place depend on its neighbour's; they speak only where no profile is whole.
+  const bool any_whole = out.outcomes[0] > out.partial;
+  std::vector<double> octaves, octaves_10_90, offsets;
+  for (const auto& profile : found) {
+    if (!profile || profile->outcome != ProfileOutcome::accepted || (any_whole && profile->is_partial))
+      continue;
     octaves.push_back(profile->width_octaves);
     octaves_10_90.push_back(profile->width_10_90_octaves);
     offsets.push_back(profile->offset_world);
