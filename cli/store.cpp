@@ -61,9 +61,7 @@ int export_store(const ExportOptions& options, const GlobalOptions& global) {
     print_note(fmt::format("{} older results of the same runs are left out (--all shows them)", runs.older));
   if (runs.foreign > 0)
     print_warning(fmt::format("{} results of another version are left out", runs.foreign));
-  const std::string text = global.json   ? to_json_text(runs)
-                           : options.csv ? to_csv(runs)
-                                         : stored_text(runs);
+  const std::string text = global.json ? to_json_text(runs) : options.csv ? to_csv(runs) : stored_text(runs);
   if (global.out.empty()) {
     print_answer(text);
     return kExitFine;
@@ -91,7 +89,8 @@ void add_merge(CLI::App& app, CommandLine& line) {
 
 void add_export(CLI::App& app, CommandLine& line) {
   auto options = std::make_shared<ExportOptions>();
-  CLI::App* verb = app.add_subcommand("export", "print the runs of a store, or write them to the file --out: ranked, as --csv or as --json");
+  CLI::App* verb = app.add_subcommand(
+      "export", "print the runs of a store, or write them to the file --out: ranked, as --csv or as --json");
   verb->fallthrough();
   verb->add_option("folder", options->folder, "--out folder of a sweep")->required();
   verb->add_flag("--csv", options->csv, "one line a run, with a column for each parameter");

@@ -155,7 +155,8 @@ Image read_image(std::span<const uint8_t> bytes, const std::string& name) {
   OIIO::Filesystem::IOMemReader reader(const_cast<uint8_t*>(bytes.data()), bytes.size());
   OIIO::Filesystem::IOProxy* proxy = &reader;
   OIIO::ImageSpec config = as_stored();
-  config.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);  // beside a config, open()'s own argument is not heard
+  config.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR,
+                   &proxy);  // beside a config, open()'s own argument is not heard
   return whole_first(read_opened(OIIO::ImageInput::open(name, &config), name), name);
 }
 

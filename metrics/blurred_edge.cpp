@@ -46,19 +46,22 @@ struct Way {
   }
 };
 
-/// What is compared, zero outside the scored pixels.
+/// What is compared, and what is blurred for it.
 struct Scored {
   std::span<const float> v;
+  std::span<const uint8_t> mask;
   std::vector<float> weight, weighted;
   int width = 0, height = 0;
   double error = 0.0, pixels = 0.0;
 
-  Scored(std::span<const float> test, std::span<const float> r, std::span<const uint8_t> mask, int w, int h)
-      : v(test), weight(mask.size()), weighted(mask.size()), width(w), height(h) {
+  Scored(std::span<const float> test, std::span<const float> r, std::span<const uint8_t> scored,
+         std::span<const uint8_t> seen, int w, int h)
+      : v(test), mask(scored), weight(seen.size()), weighted(seen.size()), width(w), height(h) {
     for (size_t i = 0; i < mask.size(); ++i) {
+      const bool is_seen = mask[i] != 0 || (seen[i] != 0 && r[i] >= 0.0f && r[i] <= 1.0f);
+      weight[i] = is_seen ? 1.0f : 0.0f;
+      weighted[i] = is_seen ? r[i] : 0.0f;
       if (mask[i] == 0) continue;
-      weight[i] = 1.0f;
-      weighted[i] = r[i];
       error += std::abs(static_cast<double>(v[i]) - r[i]);
       pixels += 1.0;
     }
@@ -68,14 +71,14 @@ struct Scored {
     const Kernel kernel = gaussian_kernel(sigma_px, static_cast<int>(std::ceil(kSigmasReach * sigma_px)));
     std::vector<float> out = filter(weighted, width, height, kernel, kernel);
     const std::vector<float> weights = filter(weight, width, height, kernel, kernel);
-    for (size_t i = 0; i < out.size(); ++i) out[i] = weight[i] > 0.0f ? out[i] / weights[i] : 0.0f;
+    for (size_t i = 0; i < out.size(); ++i) out[i] = mask[i] != 0 ? out[i] / weights[i] : 0.0f;
     return out;
   }
 
   double left_by(std::span<const float> blurred) const {
     double left = 0.0;
-    for (size_t i = 0; i < weight.size(); ++i) {
-      if (weight[i] > 0.0f) left += std::abs(static_cast<double>(v[i]) - blurred[i]);
+    for (size_t i = 0; i < mask.size(); ++i) {
+      if (mask[i] != 0) left += std::abs(static_cast<double>(v[i]) - blurred[i]);
     }
     return left;
   }
@@ -115,8 +118,9 @@ bool is_blurred_edge(const Outskirts& field, size_t i, size_t edge, float tolera
 }
 
 std::vector<float> blurred_as_picture(std::span<const float> v, std::span<const float> r,
-                                      std::span<const uint8_t> mask, int width, int height) {
-  const Scored scored(v, r, mask, width, height);
+                                      std::span<const uint8_t> mask, std::span<const uint8_t> seen, int width,
+                                      int height) {
+  const Scored scored(v, r, mask, seen, width, height);
   if (!(scored.error > kLeastError * scored.pixels)) return {};
   std::vector<float> best;
   double least = kLeftOver * scored.error;

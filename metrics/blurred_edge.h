@@ -17,8 +17,9 @@ namespace umbrameter {
 bool is_blurred_edge(const Outskirts& field, size_t i, size_t edge, float tolerance);
 
 /// The truth as a Gaussian blur of the picture that explains the test best: no more than .35 of the mean |V - R| is left.
-/// Empty when none does. Over scored pixels; outside them the truth is not looked at.
+/// Empty when none does. Judged over scored pixels (`mask`); blurred over `seen` ones, which show a surface, lit or not.
 std::vector<float> blurred_as_picture(std::span<const float> v, std::span<const float> r,
-                                      std::span<const uint8_t> mask, int width, int height);
+                                      std::span<const uint8_t> mask, std::span<const uint8_t> seen, int width,
+                                      int height);
 
 }  // namespace umbrameter

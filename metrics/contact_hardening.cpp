@@ -22,10 +22,13 @@ struct Point {
   double reference_octaves = 0.0, test_octaves = 0.0;
 };
 
-std::vector<Point> sorted_points(const PenumbraError& penumbra) {
+std::vector<Point> sorted_points(const PenumbraError& penumbra, bool with_partial) {
   std::vector<Point> points;
+  const double hardest = std::log2(PenumbraSettings{}.hardest_share);
   for (const PenumbraProfile& profile : penumbra.profiles) {
-    if (profile.outcome != ProfileOutcome::accepted) continue;
+    // The width of a hard edge is the pixel's.
+    if (profile.outcome != ProfileOutcome::accepted || profile.width_octaves <= hardest) continue;
+    if (profile.is_partial && !with_partial) continue;
     points.push_back({std::log2(profile.reference_width_world), std::log2(profile.test_width_world)});
   }
   std::stable_sort(points.begin(), points.end(),
@@ -53,10 +56,7 @@ double slope_se(const std::vector<Point>& points, double slope, double intercept
   return kSigmaPerMedian * median(std::move(residuals)) / std::sqrt(variance * n);
 }
 
-}  // namespace
-
-ContactHardening measure_contact_hardening(const PenumbraError& penumbra) {
-  const std::vector<Point> all = sorted_points(penumbra);
+ContactHardening fit_hardening(const std::vector<Point>& all) {
   ContactHardening out;
   out.profiles = all.size();
   if (all.empty()) return out;
@@ -85,6 +85,13 @@ ContactHardening measure_contact_hardening(const PenumbraError& penumbra) {
   out.slope = slope;
   out.intercept_octaves = at_middle;
   return out;
+}
+
+}  // namespace
+
+ContactHardening measure_contact_hardening(const PenumbraError& penumbra) {
+  ContactHardening whole = fit_hardening(sorted_points(penumbra, false));
+  return whole.slope ? whole : fit_hardening(sorted_points(penumbra, true));
 }
 
 }  // namespace umbrameter

@@ -50,7 +50,8 @@ bool touches(const FaultInput& input, size_t i) {
 
 bool at_grazing_facet(const FaultInput& input, size_t i) {
   if (input.irradiance.empty() || input.irradiance[i] > kGrazing * input.largest_irradiance) return false;
-  return normals_disagree(input, i, kSmoothMeshDeg) && in_contact(input, i);
+  return normals_disagree(input, i, kSmoothMeshDeg) &&
+         (input.blocker_layers[i] == 0.0f || in_contact(input, i));
 }
 
 // In part dark without a blocker: the receiver's own plane cuts the light.
@@ -121,7 +122,8 @@ Signs signs_of(const FaultInput& input, size_t i, float residual, bool is_dark, 
   const double epsilon = input.settings.lit_epsilon;
   const bool plain = is_dark ? extreme > 1.0 - epsilon : extreme < epsilon;
   add(Sign::plain, plain);
-  add(Sign::terminator, at_terminator(input, i, is_dark));
+  add(Sign::terminator, is_dark ? normals_disagree(input, i, input.settings.terminator_deg)
+                                : on_own_facets(input, i) || at_own_horizon(input, i));
   add(Sign::blurred, is_blurred(input, i, is_dark, around));
   add(Sign::edge, at_thin_caster(input, i, around));
   if (!is_dark && input.r[i] < 0.5f) {
@@ -179,9 +181,8 @@ bool in_contact(const FaultInput& input, size_t i) {
          distance < kContactTexels * input.texels.width_world[i];
 }
 
-bool at_terminator(const FaultInput& input, size_t i, bool is_dark) {
-  if (normals_disagree(input, i, input.settings.terminator_deg)) return true;
-  return !is_dark && (at_own_horizon(input, i) || at_grazing_facet(input, i));
+bool on_own_facets(const FaultInput& input, size_t i) {
+  return normals_disagree(input, i, input.settings.terminator_deg) || at_grazing_facet(input, i);
 }
 
 std::vector<Signs> read_signs(const FaultInput& input, std::span<const float> residual, bool is_dark,
@@ -230,7 +231,9 @@ Surroundings look_around(const FaultInput& input, std::span<const uint8_t> thin)
   Surroundings around;
   around.nearest_edge = nearest_feature(is_edge, input.surface.width, height);
   if (!thin.empty()) around.nearest_thin = nearest_feature(thin, input.surface.width, height);
-  around.blurred_truth = blurred_as_picture(input.v, input.r, input.mask, input.surface.width, height);
+  std::vector<uint8_t> seen(input.mask.size());
+  for (size_t i = 0; i < seen.size(); ++i) seen[i] = input.surface.hit(i) ? 1 : 0;
+  around.blurred_truth = blurred_as_picture(input.v, input.r, input.mask, seen, input.surface.width, height);
   return around;
 }
 

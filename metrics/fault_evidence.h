@@ -89,9 +89,8 @@ std::vector<Evidence> gather_evidence(const FaultInput& input, std::span<const f
 /// Whether the nearest blocker of a shadowed pixel touches it, as far as map and picture can tell.
 bool in_contact(const FaultInput& input, size_t i);
 
-/// Whether the receiver hides the light from itself, or its normals disagree, or, for light in shadow, a smooth mesh's facets
-/// shadow each other where the light grazes them.
-bool at_terminator(const FaultInput& input, size_t i, bool is_dark);
+/// Whether normals disagree, or a smooth mesh's facets shadow each other where the light grazes them.
+bool on_own_facets(const FaultInput& input, size_t i);
 
 /// `thin`: 1 on shadows thinner than a texel, empty without any.
 Surroundings look_around(const FaultInput& input, std::span<const uint8_t> thin);

@@ -164,7 +164,7 @@ std::vector<uint8_t> lost_shapes(const FaultInput& input, std::span<const uint8_
   if (!any_unmatched(input, shapes)) return {};
   for_wrong_pixels(input, components, input.r, input.v, shapes, [&](Shape& shape, size_t i) {
     shape.contact += in_contact(input, i) ? 1 : 0;
-    shape.terminator += at_terminator(input, i, false) ? 1 : 0;
+    shape.terminator += on_own_facets(input, i) ? 1 : 0;
     shape.thin += !thin.empty() && thin[i] != 0 ? 1 : 0;
   });
   return pixels_of(input, components, shapes, [&](const Shape& shape) {

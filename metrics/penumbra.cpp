@@ -29,6 +29,8 @@ std::optional<PenumbraProfile> measure_flank(const ReferenceField& field, std::s
   const Walk dark = walk_profile(field, test, seed, *ascent, false, settings.max_length_px);
   const Walk bright = walk_profile(field, test, seed, *ascent, true, settings.max_length_px);
   const float own = field.visibility[seed];
+  // A flank leads to light or shade that turns round, not out of sight.
+  if ((own < 0.5f ? bright : dark).end == WalkEnd::broken) return std::nullopt;
   if (crosses_half(field, dark, own) || crosses_half(field, bright, own)) return std::nullopt;
   PenumbraProfile profile = found;
   const size_t width = static_cast<size_t>(field.surface.width);
@@ -135,13 +137,18 @@ PenumbraError measure_penumbra(const Image& test, const Image& reference, std::s
       });
 
   PenumbraError out;
-  std::vector<double> octaves, octaves_10_90, offsets;
   for (const auto& profile : found) {
     if (!profile) continue;
     out.profiles.push_back(*profile);
     ++out.outcomes[static_cast<size_t>(profile->outcome)];
-    if (profile->outcome != ProfileOutcome::accepted) continue;
     out.partial += profile->is_partial ? 1 : 0;
+  }
+  // A stretch's width and place depend on its neighbour's; they speak only where no profile is whole.
+  const bool any_whole = out.outcomes[0] > out.partial;
+  std::vector<double> octaves, octaves_10_90, offsets;
+  for (const auto& profile : found) {
+    if (!profile || profile->outcome != ProfileOutcome::accepted || (any_whole && profile->is_partial))
+      continue;
     octaves.push_back(profile->width_octaves);
     octaves_10_90.push_back(profile->width_10_90_octaves);
     offsets.push_back(profile->offset_world);

@@ -79,7 +79,7 @@ struct Spread {
   size_t count = 0;
 };
 
-/// Absent spreads: no profile was accepted.
+/// Spreads are of profiles with both plateaus, of stretches where there is none. Absent: no profile was accepted.
 struct PenumbraError {
   std::vector<PenumbraProfile> profiles;  // every seed, in reading order of the cells
   std::array<size_t, kProfileOutcomes> outcomes{};

@@ -148,7 +148,8 @@ void judge_whole(const WalkedProfile& walked, const Curve& curve, const Penumbra
   PenumbraProfile judged = profile;
   judged.outcome = judge_test(walked, *reference, settings, judged);
   if (judged.outcome == ProfileOutcome::accepted) judged.edge_offset_world = judged.offset_world;
-  if (profile.reference_width_px < settings.min_width_px) {
+  // A step between two samples has no width to compare with, however far apart they are.
+  if (profile.reference_width_px < settings.min_width_px || !(reference->resolved_width > 0.0)) {
     profile.outcome = ProfileOutcome::too_narrow;
     profile.edge_offset_world = judged.edge_offset_world;
     return;

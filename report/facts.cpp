@@ -68,9 +68,9 @@ std::string reference_facts(const Results& results, const SceneResult& scene) {
   return line("samples", fmt::format("{:.0f} per pixel on average", reference.mean_sample_count)) +
          line("standard error", fmt::format("{:.2g} on average, {:.2g} at most", reference.mean_visibility_se,
                                             reference.max_visibility_se)) +
-         line("model gap",
-              fmt::format("{} (irradiance ratio less visibility), {} of the lit picture",
-                          format_error(reference.model_gap_rmse), format_error(reference.model_gap_lit_rmse))) +
+         line("model gap", fmt::format("{} (irradiance ratio less visibility), {} of the lit picture",
+                                       format_error(reference.model_gap_rmse),
+                                       format_error(reference.model_gap_lit_rmse))) +
          (scene.quantity == "visibility" ? "" : line("quantity", scene.quantity + " ratio")) +
          (scene.parity ? line("parity", format_parity(*scene.parity)) : "") +
          line("device", reference.device) + line("time", fmt::format("{:.2f} s", reference.wall_time_s)) +

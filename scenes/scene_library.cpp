@@ -84,8 +84,9 @@ std::filesystem::path resolve_scene(const std::string& name_or_path, const Scene
     if (name == name_or_path) return file;
     names.push_back(name);
   }
-  fail_input(fmt::format("no scene or scene file is called '{}'", name_or_path), {},
-             looks_like_file(name_or_path) ? hint_for_missing(name_or_path) : suggest_name(name_or_path, names));
+  fail_input(
+      fmt::format("no scene or scene file is called '{}'", name_or_path), {},
+      looks_like_file(name_or_path) ? hint_for_missing(name_or_path) : suggest_name(name_or_path, names));
 }
 
 }  // namespace umbrameter

@@ -12,11 +12,16 @@ bool is_fault(FaultClass fault) {
   return fault != FaultClass::unscored && fault != FaultClass::explained;
 }
 
+/// Whether a profile speaks in a spread: as in PenumbraError.
+bool speaks(const PenumbraError& penumbra, const PenumbraProfile& profile) {
+  const bool any_whole = penumbra.outcomes[0] > penumbra.partial;
+  return profile.outcome == ProfileOutcome::accepted && !(any_whole && profile.is_partial);
+}
+
 std::optional<Spread> offset_widths(const PenumbraError& penumbra) {
   std::vector<double> offsets;
   for (const PenumbraProfile& profile : penumbra.profiles) {
-    if (profile.outcome == ProfileOutcome::accepted)
-      offsets.push_back(profile.offset_world / profile.reference_width_world);
+    if (speaks(penumbra, profile)) offsets.push_back(profile.offset_world / profile.reference_width_world);
   }
   return spread_of(std::move(offsets));
 }
@@ -27,7 +32,7 @@ std::optional<Spread> offset_texels(const PenumbraError& penumbra, const Image& 
   std::vector<double> offsets;
   for (const PenumbraProfile& profile : penumbra.profiles) {
     const size_t i = profile.pixel(test.width);
-    if (profile.outcome == ProfileOutcome::accepted && texels.known(i))
+    if (speaks(penumbra, profile) && texels.known(i))
       offsets.push_back(profile.offset_world / static_cast<double>(texels.width_world[i]));
   }
   return spread_of(std::move(offsets));

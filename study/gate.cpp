@@ -153,7 +153,11 @@ bool is_too_wide(const GateRun& run, const GateRun* baseline) {
 std::optional<GateClass> main_fault(const std::vector<GateMeasure>& measures, const GateMeasure& error) {
   const size_t shares = kFaults.size() + 1;  // the last one: of penumbrae
   const GateMeasure* fault = largest(measures, 0, shares, excess);
-  if (fault != nullptr && fault->kind != GateClass::softness) return fault->kind;
+  // A filter of the wrong size loses thin shadows, too.
+  const bool is_hardening = of(measures, GateClass::hardening).exceeds();
+  const bool is_lost = fault != nullptr && fault->kind == GateClass::lost_shadow && is_hardening &&
+                       of(measures, GateClass::softness).exceeds();
+  if (fault != nullptr && fault->kind != GateClass::softness && !is_lost) return fault->kind;
   if (const auto kind = kind_of_penumbra(measures, shares)) return kind;
   if (fault != nullptr) return fault->kind;
   return error.exceeds() ? std::optional(GateClass::error) : std::nullopt;

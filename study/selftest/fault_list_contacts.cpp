@@ -31,7 +31,7 @@ FaultCase light_twice(const std::string& scene) {
   return {"light twice too large",
           kTechnique,
           scene,
-          {penumbra_too_wide},
+          {penumbra_too_wide, softness},
           of_scene(soft_shadows(), light_scaled(2.0))};
 }
 
@@ -123,7 +123,7 @@ std::vector<FaultCase> faults_at_contacts() {
           {"hardens the wrong end", kTechnique, "contact_hardening", {hardening}, hardening_inverted()},
           {"constant width", kTechnique, "contact_hardening", {hardening}, hardening_absent()},
           bias_gone("colonnade"),
-          bias_too_large("box_contact", 10.0),
+          bias_too_large("box_contact", 40.0),
           cured_terminator("sphere_terminator"),
           gap_at_contacts("colonnade"),
           striped("colonnade"),

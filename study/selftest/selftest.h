@@ -40,9 +40,8 @@ struct MaskOutcome {
 };
 
 struct SelftestTargets {
-  double right = 0.95;   // share of faults
-  double nearest = 0.8;  // of its limit that a benign trial may come to
-  double mask = 0.95;    // precision and recall
+  double right = 0.95;  // share of faults
+  double mask = 0.95;   // precision and recall
 };
 
 struct SelftestResults {

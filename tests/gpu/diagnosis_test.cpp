@@ -97,19 +97,16 @@ TEST(Diagnosis, AnEvenNumberOfTapsMovesNoEdge) {
   }
 }
 
-TEST(Diagnosis, HardeningIsIdentifiableOnTenLibraryScenes) {
+// Of the other six, three have penumbrae of one width, two no shadows, and wire's are too narrow at this size.
+TEST(Diagnosis, HardeningIsIdentifiableWhereTrueWidthsDiffer) {
   UMBRAMETER_REQUIRE_GL();
-  size_t identifiable = 0;
-  for (const char* name : {"box_contact", "colonnade", "comb", "contact_hardening", "disk_occluder",
-                           "empty_plane", "fence", "half_plane", "half_plane_disk", "plate", "slanted_plane",
-                           "sphere_terminator", "stacked_plates", "wire"}) {
-    const bool has = diagnosed(library(name), "pcss", {}, 320, 180).hardening.slope.has_value();
-    identifiable += has ? 1 : 0;
-    if (std::string(name) == "contact_hardening") {
-      EXPECT_TRUE(has);
-    }
+  for (const char* name : {"box_contact", "colonnade", "comb", "contact_hardening", "fence", "plate",
+                           "sphere_terminator", "stacked_plates"}) {
+    EXPECT_TRUE(diagnosed(library(name), "pcss", {}, 320, 180).hardening.slope) << name;
+    EXPECT_FALSE(diagnosed(library(name), "hard", {}, 320, 180).hardening.slope) << name;
   }
-  EXPECT_GE(identifiable, 10u);
+  for (const char* name : {"half_plane", "half_plane_disk", "disk_occluder"})
+    EXPECT_FALSE(diagnosed(library(name), "pcss", {}, 320, 180).hardening.slope) << name;
 }
 
 TEST(Diagnosis, AFilterThatIsTooWideAtAContactIsNoAcneAndNoLeak) {

@@ -118,7 +118,7 @@ TEST(PenumbraTooWide, APictureBlurredAsAWholeAcrossOutlines) {
   EXPECT_GT(faults.of(FaultClass::penumbra_too_wide).mean_abs_error, 0.5 * *faults.mean_abs_error);
   EXPECT_LT(pixels_but(faults, FaultClass::penumbra_too_wide), 40u);
   EXPECT_TRUE(blurred_as_picture(half_plane(0.01, 0.5).plane("visibility"), reference.plane("visibility"),
-                                 all, kFloorWidth, kFloorHeight)
+                                 all, all, kFloorWidth, kFloorHeight)
                   .empty());
 }
 

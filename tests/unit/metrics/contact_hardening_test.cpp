@@ -81,6 +81,12 @@ TEST(ContactHardening, FewOrNoProfilesAreNotIdentifiable) {
   EXPECT_FALSE(measure_contact_hardening({}).slope);
 }
 
+TEST(ContactHardening, HardEdgesTellNothing) {
+  PenumbraError penumbra = profiles(100, 4.0, [](double) { return -7.0; });
+  for (PenumbraProfile& profile : penumbra.profiles) profile.width_octaves = -3.0;
+  EXPECT_FALSE(measure_contact_hardening(penumbra).slope);
+}
+
 TEST(ContactHardening, RejectedProfilesDoNotCount) {
   PenumbraError penumbra = profiles(100, 4.0, [](double x) { return x; });
   for (PenumbraProfile& profile : penumbra.profiles) profile.outcome = ProfileOutcome::unreached;

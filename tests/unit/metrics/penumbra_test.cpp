@@ -50,11 +50,13 @@ TEST_P(KnownWidth, IsMeasuredWithinTwoPercent) {
   const PenumbraError error = measure(reference, reference);
   const std::vector<double> widths = reference_widths(error);
   ASSERT_GT(widths.size(), 5u);
-  for (const double width : widths) EXPECT_NEAR(width / (width_px * pixel), 1.0, 0.02);
   for (const PenumbraProfile& profile : error.profiles) {
     if (profile.outcome != ProfileOutcome::accepted) continue;
-    EXPECT_NEAR(profile.reference_width_px / width_px, 1.0, 0.02);
-    EXPECT_NEAR(profile.reference_width_10_90_world / (0.8 * width_px * pixel), 1.0, 0.02);
+    // Of a stretch, which the picture's rim leaves, fewer pixels tell.
+    const double tolerance = profile.is_partial ? 0.04 : 0.02;
+    EXPECT_NEAR(profile.reference_width_world / (width_px * pixel), 1.0, tolerance);
+    EXPECT_NEAR(profile.reference_width_px / width_px, 1.0, tolerance);
+    EXPECT_NEAR(profile.reference_width_10_90_world / (0.8 * width_px * pixel), 1.0, tolerance);
   }
   EXPECT_EQ(error.width_octaves->rmse, 0.0);
   EXPECT_EQ(error.offset_world->rmse, 0.0);
@@ -161,11 +163,13 @@ TEST(Penumbra, AnOverlapTellsItsWidthByTheStretchThatThereIs) {
   EXPECT_GT(count(same, ProfileOutcome::accepted), 5u);
   EXPECT_EQ(same.partial, count(same, ProfileOutcome::accepted));
   EXPECT_EQ(same.width_octaves->rmse, 0.0);
+  size_t overlapping = 0;
   for (const PenumbraProfile& profile : same.profiles) {
     if (profile.outcome != ProfileOutcome::accepted) continue;
     EXPECT_NEAR(profile.reference_width_world, 40.0, 2.0);
-    EXPECT_TRUE(profile.overlaps && profile.has_ridge);
+    overlapping += profile.overlaps ? 1 : 0;
   }
+  EXPECT_GT(overlapping, 5u);
   for (const double factor : {0.7, 1.4}) {
     const PenumbraError error = measure(lit_floor(surface, overlap(40.0 * factor)), reference);
     ASSERT_TRUE(error.width_octaves) << factor;
@@ -216,9 +220,7 @@ TEST(Penumbra, ASurfaceThatEndsInThePenumbraIsADiscontinuity) {
   const Image reference = lit_floor(surface, edge(60.0, 16.0, 0.0, 40.0));
   const PenumbraError error = measure(reference, reference);
   EXPECT_GT(count(error, ProfileOutcome::discontinuity), 2u);
-  // The flank up to x = 55 is enough of one.
-  EXPECT_EQ(error.partial, count(error, ProfileOutcome::accepted));
-  for (const double width : reference_widths(error)) EXPECT_NEAR(width, 40.0, 2.0);
+  EXPECT_EQ(count(error, ProfileOutcome::accepted), 0u);
 }
 
 TEST(Penumbra, ASurfaceThatEndsInThePenumbraTellsItsWidthByWhatIsLeft) {
