@@ -18,6 +18,7 @@ constexpr int64_t kStudySchema = 1;
 constexpr int64_t kMaxFrames = 10000;
 
 const std::array<std::string, 4> kQuantities{"time", "fps", "memory", "pass_time"};
+const std::array<std::string, 3> kClaimPictures{"other", "same", "either"};
 
 std::optional<int64_t> positive(TomlReader& reader, const std::string& key) {
   if (!reader.has(key)) return std::nullopt;
@@ -121,7 +122,8 @@ Claim read_claim(const TomlNode& table, const StudyFile& study) {
   if (!is_frame && !claim.without.empty())
     reader.fail("without", "'without' belongs to quantity = \"time\" or \"fps\"");
   if (!needs_pass && reader.has("pass")) reader.fail("pass", "'pass' belongs to quantity = \"pass_time\"");
-  claim.same_picture = reader.boolean("same_picture", false);
+  if (reader.has("pictures"))
+    claim.pictures = static_cast<ClaimPictures>(reader.choice("pictures", kClaimPictures));
   read_paper(reader, study.scenes, claim);
   reader.finish();
   return claim;

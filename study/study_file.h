@@ -27,6 +27,9 @@ struct StudyRun {
 
 enum class Quantity { time, fps, memory, pass_time };
 
+/// Whether a claim's two runs must draw other pictures, to the bit, the same one, or either.
+enum class ClaimPictures { other, same, either };
+
 /// A ratio as a paper gives it: one number, which says at least which of two is larger, or a range; `high` is infinite
 /// for "at least".
 struct PaperRatio {
@@ -43,7 +46,7 @@ struct Claim {
   Quantity quantity = Quantity::time;
   std::string pass;                  // pass_time only
   std::vector<std::string> without;  // time and fps: passes of the frame that the paper leaves out
-  bool same_picture = false;         // two ways to one picture, which must be equal to the bit
+  ClaimPictures pictures = ClaimPictures::other;
   std::optional<PaperRatio> every_scene;
   std::vector<std::pair<std::string, PaperRatio>> by_scene;
   FileLocation where;

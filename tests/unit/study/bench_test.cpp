@@ -136,10 +136,12 @@ TEST_F(Claims, NoVerdictOnTimesOfOnePictureUnlessThatIsTheClaim) {
   claim.numerator = "slow";
   claim.denominator = "fast";
   claim.every_scene = PaperRatio{1.5, 1.5};
-  claim.same_picture = true;
+  claim.pictures = ClaimPictures::same;
   EXPECT_EQ(judge_claims(std::array{claim}, "plate", entries_).at(0).verdict, Verdict::agrees);
   entries_[1].picture_hash = "b";
   EXPECT_EQ(judge_claims(std::array{claim}, "plate", entries_).at(0).reason, "the two pictures differ");
+  claim.pictures = ClaimPictures::either;
+  EXPECT_EQ(judge_claims(std::array{claim}, "plate", entries_).at(0).verdict, Verdict::agrees);
   EXPECT_EQ(judge(Quantity::time, {1.5, 1.5}).verdict, Verdict::agrees);
 }
 
