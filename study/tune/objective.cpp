@@ -115,7 +115,7 @@ std::optional<ObjectiveValue> measure_objective(Objective objective, const Image
 
 std::optional<double> measure_width_octaves(const Image& test, const Image& reference,
                                             std::span<const uint8_t> mask) {
-  const auto octaves = measure_penumbra(test, reference, mask).width_octaves;
+  const auto octaves = measure_penumbra(test, reference, known_mask(mask, test)).width_octaves;
   return octaves ? std::optional(octaves->median) : std::nullopt;
 }
 
