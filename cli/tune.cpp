@@ -92,8 +92,8 @@ std::vector<SceneJob> load_scenes(const TuneOptions& options, const TunePlan& pl
 IsActive activity(const TunePlan& plan, std::span<const SceneJob> scenes, const Home& home) {
   std::vector<Light> lights;
   for (const SceneJob& job : scenes) lights.push_back(job.scene.light());
-  return [technique = find_run(plan.technique.technique, home), lights](
-             const Parameter& parameter, const ParameterValues& values) {
+  return [technique = find_run(plan.technique.technique, home), lights](const Parameter& parameter,
+                                                                        const ParameterValues& values) {
     return std::ranges::any_of(
         lights, [&](const Light& light) { return is_active(technique, parameter, values, light); });
   };

@@ -71,7 +71,8 @@ void judge(const Interval& ours, ClaimResult& result) {
 std::string picture_objection(const Claim& claim, const BenchEntry& one, const BenchEntry& other) {
   if (claim.quantity == Quantity::memory || one.picture_hash.empty() || other.picture_hash.empty()) return {};
   const bool are_equal = one.picture_hash == other.picture_hash;
-  if (are_equal && claim.pictures == ClaimPictures::other) return "both runs drew the same picture, to the bit";
+  if (are_equal && claim.pictures == ClaimPictures::other)
+    return "both runs drew the same picture, to the bit";
   if (!are_equal && claim.pictures == ClaimPictures::same) return "the two pictures differ";
   return {};
 }
