@@ -68,21 +68,22 @@ std::string join_options(const Choice& choice) {
 std::string bash_script(const std::vector<Choice>& choices) {
   std::string text = R"(# bash completion of umbrameter
 _umbrameter() {
-  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} path= known= i
+  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} path=umbrameter known= i
   declare -A verbs=() options=()
 )";
   for (const Choice& choice : choices) {
-    text += fmt::format("  verbs['{0}']='{1}' options['{0}']='{2}'\n", choice.path,
-                        fmt::join(choice.verbs, " "), join_options(choice));
+    const std::string path = choice.path.empty() ? "umbrameter" : "umbrameter " + choice.path;
+    text += fmt::format("  verbs['{0}']='{1}' options['{0}']='{2}'\n", path, fmt::join(choice.verbs, " "),
+                        join_options(choice));
   }
   return text + R"(  for ((i = 1; i < COMP_CWORD; ++i)); do
-    case " ${verbs[$path]} " in *" ${COMP_WORDS[i]} "*) path=${path:+$path }${COMP_WORDS[i]} ;; esac
+    case " ${verbs[$path]} " in *" ${COMP_WORDS[i]} "*) path="$path ${COMP_WORDS[i]}" ;; esac
   done
   case $word in -*) COMPREPLY=($(compgen -W "${options[$path]}" -- "$word")); return ;; esac
   case $before in
     --technique) known=$(umbrameter techniques list 2>/dev/null | awk 'NR > 1 { print $1 }') ;;
     -*) ;;
-    *) case $path in
+    *) case ${path#umbrameter } in
          validate|reference|render|tune|"scene check"|"scene export"|"scene plan")
            known=$(umbrameter scene list 2>/dev/null | awk 'NR > 1 { print $1 }') ;;
        esac ;;

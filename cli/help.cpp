@@ -7,6 +7,7 @@
 #include "core/names.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace umbrameter {
 namespace {
@@ -34,13 +35,20 @@ const CLI::App& find_verb(const CLI::App& app, const std::vector<std::string>& p
   return *verb;
 }
 
+std::vector<std::string> with_program(const CLI::App& app, std::vector<std::string> path) {
+  path.insert(path.begin(), app.get_name());
+  return path;
+}
+
 int help(const HelpOptions& options, const CLI::App& app) {
   if (!options.completions.empty()) {
     print_answer(completions(app, options.completions));
   } else if (options.manual) {
     print_answer(manual_page(app));
   } else {
-    print_answer(find_verb(app, options.path).help());
+    const CLI::App& verb = find_verb(app, options.path);
+    const std::string name = fmt::format("{}", fmt::join(with_program(app, options.path), " "));
+    print_answer(verb.get_formatter()->make_help(&verb, name, CLI::AppFormatMode::Normal));
   }
   return kExitFine;
 }

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/score.h"
 
+#include "core/error.h"
 #include "python/bindings.h"
+#include "study/picture_score.h"
 #include "study/results_json.h"
+
+#include <nlohmann/json.hpp>
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
@@ -21,12 +25,24 @@ struct ScoreAnswer {
 };
 
 ScoreAnswer answer(const Image& picture, const Image& truth, const std::array<double, 3>& eye_world,
-                   const std::string& metrics, std::optional<double> limit_rmse) {
-  const Score score =
-      score_image(with_visibility(picture, "picture"), truth, {eye_world[0], eye_world[1], eye_world[2]},
-                  {choose_metrics(metrics), limit_rmse});
-  if (score.no_diagnosis) throw Error(score.no_diagnosis->kind, score.no_diagnosis->message);
-  return {to_json_text(score, "picture", "truth"), truth.width, truth.height, score.fault_classes};
+                   const std::string& metrics, std::optional<double> limit_rmse,
+                   const std::string& quantity) {
+  if (!picture.has("visibility")) fail_input("the picture has no channel 'visibility'");
+  require_same_size(picture, truth, "picture and truth");
+  require_finite(picture, "visibility");
+  EnginePicture scored;
+  scored.name = "picture";
+  scored.test = picture;
+  scored.values.rounding_sd.assign(picture.pixel_count(), 0.0f);
+  ScoreSettings settings;
+  settings.metrics = choose_metrics(metrics);
+  settings.limit_rmse = limit_rmse;
+  const PictureScore result = score_picture(scored, truth, {eye_world[0], eye_world[1], eye_world[2]},
+                                            settings, parse_shadow_quantity(quantity));
+  if (result.score.no_diagnosis)
+    throw Error(result.score.no_diagnosis->kind, result.score.no_diagnosis->message);
+  return {picture_json(result, "picture", "truth").dump(), truth.width, truth.height,
+          result.score.fault_classes};
 }
 
 }  // namespace
@@ -48,7 +64,7 @@ void add_score(py::module_& module) {
     return std::array<double, 3>{eye.x, eye.y, eye.z};
   });
   module.def("score", &answer, py::arg("picture"), py::arg("truth"), py::arg("eye_world"), py::arg("metrics"),
-             py::arg("limit_rmse"), py::call_guard<py::gil_scoped_release>());
+             py::arg("limit_rmse"), py::arg("quantity"), py::call_guard<py::gil_scoped_release>());
 }
 
 }  // namespace umbrameter::python

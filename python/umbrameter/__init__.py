@@ -201,12 +201,14 @@ def read(file: Union[str, os.PathLike]) -> Picture:
 
 
 def score(picture: Union[Picture, npt.ArrayLike, Mapping[str, npt.ArrayLike]], truth: Picture, metrics: str = "",
-          limit_rmse: Optional[float] = None) -> Score:
-    """Scores visibility against the truth. `picture` may be an array [height, width] or channels by name. `metrics`:
+          limit_rmse: Optional[float] = None, quantity: str = "visibility") -> Score:
+    """Scores a picture's "visibility" against the truth's visibility, or with quantity="irradiance" against its irradiance
+    ratio, which renderers that integrate the light yield. `picture` may be an array [height, width] or channels by name. `metrics`:
     comma-separated error, significance, verdict, diagnosis, similarity; empty is all."""
     if not isinstance(picture, Picture):
         picture = Picture.from_arrays(picture if isinstance(picture, Mapping) else {"visibility": picture})
-    answer = _core.score(picture._image, truth._image, _core.eye_of(truth._image), metrics, limit_rmse)
+    answer = _core.score(picture._image, truth._image, _core.eye_of(truth._image), metrics, limit_rmse,
+                         quantity)
     record = json.loads(answer.json)
     error = record["error"]
     faults = record.get("faults")

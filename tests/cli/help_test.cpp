@@ -25,9 +25,10 @@ class Help : public CliTest {
   }
 };
 
-const std::vector<std::string> kVerbs{"validate", "score",  "bench",     "tune",       "plan",   "sweep",
-                                      "merge",    "export", "report",    "regress",    "stress", "selftest",
-                                      "scene",    "render", "reference", "techniques", "doctor", "help"};
+const std::vector<std::string> kVerbs{"validate",  "score",      "bench",   "tune",   "plan",
+                                      "sweep",     "merge",      "export",  "report", "regress",
+                                      "stress",    "selftest",   "engines", "scene",  "render",
+                                      "reference", "techniques", "doctor",  "help"};
 
 TEST_F(Help, VerbsStandInGroupsAndNoneOutsideOfThem) {
   const std::string text = out({"--help"});

@@ -49,7 +49,7 @@ class Module(unittest.TestCase):
             size = ["--width", "96", "--height", "54"]
             program("reference", "plate", "--spp", "64", *size, "-o", truth)
             program("render", "plate", "--technique", "hard", *size, "-o", picture)
-            told = json.loads(program("score", picture, "--reference", truth, "--json"))
+            told = json.loads(program("score", picture, "--reference", truth, "--quantity", "visibility", "--json"))
             np.testing.assert_array_equal(um.read(truth)["visibility"], self.truth["visibility"])
             np.testing.assert_array_equal(um.read(picture)["visibility"], self.picture["visibility"])
         score = um.score(self.picture, self.truth)
@@ -74,6 +74,8 @@ class Module(unittest.TestCase):
         self.assertIsNone(score.fault_map)
         expected = np.where(self.truth["unshadowed_irradiance"] > 0, noisy - self.truth["visibility"], np.nan)
         self.assertAlmostEqual(score.bias, np.nanmean(expected), delta=2e-3)
+        ratio = um.score(self.truth["irradiance_ratio"], self.truth, metrics="error", quantity="irradiance")
+        self.assertAlmostEqual(ratio.bias, 0.0, delta=1e-6)
         perfect = um.score(self.truth, self.truth, metrics="error")
         self.assertEqual(perfect.bias, 0.0)
 
