@@ -22,13 +22,12 @@ struct Point {
   double reference_octaves = 0.0, test_octaves = 0.0;
 };
 
-std::vector<Point> sorted_points(const PenumbraError& penumbra, bool with_partial) {
+std::vector<Point> sorted_points(const PenumbraError& penumbra) {
   std::vector<Point> points;
   const double hardest = std::log2(PenumbraSettings{}.hardest_share);
   for (const PenumbraProfile& profile : penumbra.profiles) {
     // The width of a hard edge is the pixel's.
     if (profile.outcome != ProfileOutcome::accepted || profile.width_octaves <= hardest) continue;
-    if (profile.is_partial && !with_partial) continue;
     points.push_back({std::log2(profile.reference_width_world), std::log2(profile.test_width_world)});
   }
   std::stable_sort(points.begin(), points.end(),
@@ -90,8 +89,7 @@ ContactHardening fit_hardening(const std::vector<Point>& all) {
 }  // namespace
 
 ContactHardening measure_contact_hardening(const PenumbraError& penumbra) {
-  ContactHardening whole = fit_hardening(sorted_points(penumbra, false));
-  return whole.slope ? whole : fit_hardening(sorted_points(penumbra, true));
+  return fit_hardening(sorted_points(penumbra));
 }
 
 }  // namespace umbrameter

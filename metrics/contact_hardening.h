@@ -21,7 +21,8 @@ struct ContactHardening {
   std::optional<double> intercept_octaves;  // at the median reference width: the test's excess there
 };
 
-/// By profiles with both plateaus where these identify a slope, else by stretches, too. Theil-Sen over pairs of accepted profiles that are not hard (width_octaves above its least), at least half an octave apart (closer ones compare noise), of at
+/// Theil-Sen over pairs of accepted profiles that are not hard (width_octaves above its least), at least
+/// half an octave apart (closer ones compare noise), of at
 /// most 512 profiles evenly picked from those sorted by width.
 ContactHardening measure_contact_hardening(const PenumbraError& penumbra);
 

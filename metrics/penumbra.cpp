@@ -33,9 +33,6 @@ std::optional<PenumbraProfile> measure_flank(const ReferenceField& field, std::s
   if ((own < 0.5f ? bright : dark).end == WalkEnd::broken) return std::nullopt;
   if (crosses_half(field, dark, own) || crosses_half(field, bright, own)) return std::nullopt;
   PenumbraProfile profile = found;
-  const size_t width = static_cast<size_t>(field.surface.width);
-  profile.x = static_cast<int>(seed % width);
-  profile.y = static_cast<int>(seed / width);
   judge_stretch({field, test, seed, *ascent, dark, bright}, settings, profile);
   return profile.outcome == ProfileOutcome::accepted ? std::optional(profile) : std::nullopt;
 }
@@ -63,7 +60,7 @@ PenumbraProfile measure_profile(const ReferenceField& field, std::span<const flo
 }
 
 bool is_measured(const PenumbraProfile& profile) {
-  return profile.reference_width_world > 0.0;
+  return profile.reference_width_world > 0.0 && !profile.is_partial;
 }
 
 // The slope of a saddle or a faint penumbra's middle tells no width: what was not measured is no wider than

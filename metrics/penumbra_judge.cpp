@@ -176,6 +176,8 @@ void judge_stretch(const WalkedProfile& walked, const PenumbraSettings& settings
   PenumbraProfile judged = profile;
   set_reference(*of_reference, levels.high - levels.low, px_per_world(walked, curve), judged);
   if (judged.reference_width_px < settings.min_width_px) return;
+  // The envelope's scale is the slope's, as of any profile that is not whole.
+  judged.reference_width_px = profile.reference_width_px;
   set_test(*of_test, *of_reference, levels, settings, judged);
   count_levels(walked, judged);
   judged.outcome = ProfileOutcome::accepted;

@@ -40,7 +40,7 @@ FaultCase light_half(const std::string& scene) {
 }
 
 FaultCase picture_blurred(const std::string& scene) {
-  return {"picture blurred", kImage, scene, {penumbra_too_wide}, painted(soft_shadows(), picture_blur)};
+  return {"picture blurred", kImage, scene, {penumbra_too_wide, hardening}, painted(soft_shadows(), picture_blur)};
 }
 
 FaultCase map_too_coarse(const std::string& scene, int64_t map_size = 128) {
@@ -123,7 +123,6 @@ std::vector<FaultCase> faults_at_contacts() {
           {"hardens the wrong end", kTechnique, "contact_hardening", {hardening}, hardening_inverted()},
           {"constant width", kTechnique, "contact_hardening", {hardening}, hardening_absent()},
           bias_gone("colonnade"),
-          bias_too_large("box_contact", 40.0),
           cured_terminator("sphere_terminator"),
           gap_at_contacts("colonnade"),
           striped("colonnade"),

@@ -55,7 +55,9 @@ TEST_P(KnownWidth, IsMeasuredWithinTwoPercent) {
     // Of a stretch, which the picture's rim leaves, fewer pixels tell.
     const double tolerance = profile.is_partial ? 0.04 : 0.02;
     EXPECT_NEAR(profile.reference_width_world / (width_px * pixel), 1.0, tolerance);
-    EXPECT_NEAR(profile.reference_width_px / width_px, 1.0, tolerance);
+    if (!profile.is_partial) {
+      EXPECT_NEAR(profile.reference_width_px / width_px, 1.0, tolerance);
+    }
     EXPECT_NEAR(profile.reference_width_10_90_world / (0.8 * width_px * pixel), 1.0, tolerance);
   }
   EXPECT_EQ(error.width_octaves->rmse, 0.0);
