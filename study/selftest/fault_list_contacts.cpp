@@ -40,7 +40,11 @@ FaultCase light_half(const std::string& scene) {
 }
 
 FaultCase picture_blurred(const std::string& scene) {
-  return {"picture blurred", kImage, scene, {penumbra_too_wide, hardening}, painted(soft_shadows(), picture_blur)};
+  return {"picture blurred",
+          kImage,
+          scene,
+          {penumbra_too_wide, hardening},
+          painted(soft_shadows(), picture_blur)};
 }
 
 FaultCase map_too_coarse(const std::string& scene, int64_t map_size = 128) {
