@@ -21,7 +21,7 @@ constexpr double kSearchShare = 0.7, kTunedWindowsShare = 0.8;
 constexpr size_t kKept = 5;  // coarse trials that are tried at full size
 
 size_t default_evaluations(size_t axes) {
-  return 40 + 20 * axes;
+  return 40 + 10 * axes;
 }
 
 class Tuning {
@@ -198,8 +198,8 @@ class Tuning {
   /// Parameters that did not act, and those whose levels were tried and made no difference.
   void name_idle(const SearchResult& found) {
     for (const AxisEffect& effect : found.effects) {
-      if (!effect.is_active) {
-        const Parameter& parameter = find_parameter(plan_.parameters, effect.parameter, plan_.technique.id);
+      const Parameter& parameter = find_parameter(plan_.parameters, effect.parameter, plan_.technique.id);
+      if (plan_.is_active && !plan_.is_active(parameter, result_.best.values)) {
         result_.notes.push_back(
             fmt::format("'{}' was not tuned: it acts only when {}", effect.parameter, parameter.when));
         continue;

@@ -266,7 +266,8 @@ TEST_F(Tune, AHurriedOneStillComparesAndSaysWhatIsMissing) {
   EXPECT_EQ(hurried.others.size(), 2u);  // not the preset with its own taps
   EXPECT_TRUE(hurried.sensitivities.empty());
   EXPECT_THAT(hurried.notes,
-              testing::ElementsAre(HasSubstr("sensitivities"), HasSubstr("engine (own cost)")));
+              testing::ElementsAre(HasSubstr("safe window"), HasSubstr("sensitivities"),
+                                   HasSubstr("engine (own cost)")));
   ASSERT_EQ(hurried.windows.size(), 1u);
   EXPECT_FALSE(hurried.windows[0].is_complete);
 }
@@ -302,7 +303,7 @@ TEST_F(Tune, WhatDoesNotActCostsNothing) {
   plan.is_active = [](const Parameter& parameter, const ParameterValues&) {
     return parameter.name != "curve_scale";
   };
-  plan.evaluations = 40 - 1;  // settle() is left one an axis
+  plan.evaluations = 40 + 1;  // settle() is left one an axis
   const TuneResult result = run();
   EXPECT_EQ(result.full_trials.size(), before.full_trials.size());
   EXPECT_EQ(result.best.values.at("curve_scale"), ParameterValue(1.0));
