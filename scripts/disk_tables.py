@@ -19,7 +19,8 @@ THROWS = 20000
 POISSON_DISTANCE = 0.18  # the largest hundredth at which all darts find room
 RIM = 3.5  # measured: prefixes of blue noise from 8 on have a uniform disk's mean squared radius, 1/2, within 0.06
 
-HEADER = f"""// Point sets on the unit disk, {COUNT} each. Written by scripts/disk_tables.py, checked by tests/gpu.
+HEADER = f"""// SPDX-License-Identifier: Apache-2.0
+// Point sets on the unit disk, {COUNT} each. Written by scripts/disk_tables.py, checked by tests/gpu.
 """
 
 

@@ -34,7 +34,8 @@ TEST(Cutouts, a_light_as_wide_as_whole_periods_shines_through_the_share_of_the_h
     const Agreement agreement = compare(frame, [share](const glm::dvec3&) { return share; });
     EXPECT_EQ(objection(agreement), "") << share;
     // Stratified samples do better than as many coins.
-    EXPECT_LT(agreement.rmse, std::sqrt(share * (1.0 - share) / ReferencePicture{}.samples_per_pixel)) << share;
+    EXPECT_LT(agreement.rmse, std::sqrt(share * (1.0 - share) / ReferencePicture{}.samples_per_pixel))
+        << share;
   }
 }
 

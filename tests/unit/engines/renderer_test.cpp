@@ -197,7 +197,7 @@ TEST_F(EngineRendererTest, ACommandThatFailsSaysItsLastWords) {
 
 TEST_F(EngineRendererTest, FinishedPicturesAreChosenByNameAndParameter) {
   const std::string pixels(7 * 5 * 4, '\0');
-  folder_.write("triangle-no.pfm", "Pf\n7 5\n-1.0\n" + pixels);
+  folder_.write("-triangle-no.pfm", "Pf\n7 5\n-1.0\n" + pixels);
   folder_.write("engine.toml", engine_manifest_with("picture = \"{name}-{misbehave}.pfm\"\n"));
   EXPECT_EQ(render().image.plane("visibility")[0], 0.0f);  // "../triangle" became a plain name
   EXPECT_THAT([&] { render("nan"); }, testing::ThrowsMessage<Error>(HasSubstr("there is no picture")));

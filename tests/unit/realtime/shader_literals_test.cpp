@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 /// "line: literal" of each number in `text` that is not plain and not explained.
 std::vector<std::string> unexplained_literals(std::istream& text) {
   static const std::regex number(R"((^|[^\w.])((\d+\.?\d*|\.\d+)([eE][-+]?\d+)?u?f?))");
-  static const std::set<std::string> plain = {"0", "0.0", "0.5", "1", "1.0", "2", "2.0"};
+  static const std::set<std::string> plain = {"0", "0u", "0.0", "0.5", "1", "1u", "1.0", "2", "2u", "2.0"};
   std::vector<std::string> found;
   bool was_explained = false;
   int line_number = 0;
@@ -40,12 +40,13 @@ std::vector<std::string> unexplained_literals(std::istream& text) {
   return found;
 }
 
-/// A table that a script wrote explains its numbers in its first line.
+/// A table that a script wrote explains its numbers in the line after its licence.
 bool is_generated(std::istream& text) {
-  std::string first;
-  std::getline(text, first);
+  std::string licence, about;
+  std::getline(text, licence);
+  std::getline(text, about);
   text.seekg(0);
-  return first.find("Written by scripts/") != std::string::npos;
+  return about.find("Written by scripts/") != std::string::npos;
 }
 
 TEST(shader_literals, of_techniques_and_library_are_plain_or_explained) {

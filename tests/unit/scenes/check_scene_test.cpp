@@ -87,7 +87,7 @@ TEST(LightBody, TrianglesThatReachIntoIt) {
   // Lights lie at the origin, the flat ones in the plane y = 0.
   const std::vector<Case> cases = {
       {{0, -1, 0}, {0.1, 1, 0}, {0, 1, 0.1}, true, true, true},  // through the middle
-      {{5, -1, 1}, {-5, -1, 1}, {0, 5, -5}, true, true, true},  // wider than everything, through the middle
+      {{5, -1, 1}, {-5, -1, 1}, {0, 5, -5}, true, true, true},   // wider than everything, through the middle
       {{-5, 0, -5}, {5, 0, -5}, {0, 0, 5}, false, false, true},  // in the plane
       {{0.8, -1, 0.4}, {0.8, 1, 0.4}, {0.8, 1, 0.45}, true, true, true},     // inside both outlines
       {{0.8, -1, 0.55}, {0.8, 1, 0.55}, {0.8, 1, 0.58}, false, true, true},  // beyond the rect's side

@@ -265,9 +265,8 @@ TEST_F(Tune, AHurriedOneStillComparesAndSaysWhatIsMissing) {
   EXPECT_EQ(hurried.full_trials.size(), 1u);
   EXPECT_EQ(hurried.others.size(), 2u);  // not the preset with its own taps
   EXPECT_TRUE(hurried.sensitivities.empty());
-  EXPECT_THAT(hurried.notes,
-              testing::ElementsAre(HasSubstr("safe window"), HasSubstr("sensitivities"),
-                                   HasSubstr("engine (own cost)")));
+  EXPECT_THAT(hurried.notes, testing::ElementsAre(HasSubstr("safe window"), HasSubstr("sensitivities"),
+                                                  HasSubstr("engine (own cost)")));
   ASSERT_EQ(hurried.windows.size(), 1u);
   EXPECT_FALSE(hurried.windows[0].is_complete);
 }
