@@ -33,6 +33,7 @@ ScoreAnswer answer(const Image& picture, const Image& truth, const std::array<do
   EnginePicture scored;
   scored.name = "picture";
   scored.test = picture;
+  scored.values.known.assign(picture.pixel_count(), 1);
   scored.values.rounding_sd.assign(picture.pixel_count(), 0.0f);
   ScoreSettings settings;
   settings.metrics = choose_metrics(metrics);
