@@ -72,7 +72,7 @@ TEST_F(ReportOverview, CropsHoldTheWorstPixels) {
                 "for (const [x, y, e, c] of [[3, 3, 1, 2], [30, 20, 0.6, 5], [31, 21, 0.6, 5]]) {"
                 "run.visibility[y * 40 + x] = e; run.faults[y * 40 + x] = c; }"
                 "const w = worstWindow(entry, planes, run, 5, {width: 8, height: 6});"
-                "return [w.x <= 30 && w.x + 8 > 31, w.y <= 20 && w.y + 6 > 21, w.sum.toFixed(2)]; })()")});
+                "return [w.x <= 30 && w.x + 8 > 31, w.y <= 20 && w.y + 6 > 21, w.sum.toFixed(2)]; })()")}));
   EXPECT_EQ(seen["values"].back(), Json::parse(R"([true, true, "1.20"])"));
 }
 
