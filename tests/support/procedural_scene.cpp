@@ -2,6 +2,7 @@
 #include "tests/support/procedural_scene.h"
 
 #include "core/hash.h"
+#include "scenes/scene_hash.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -147,6 +148,7 @@ void finish_scene(Scene& scene) {
     hasher.number(light.size_world.x).number(light.size_world.y);
     hasher.number(light.radius_world).number(light.half_angle_rad);
   }
+  hash_cutouts(hasher, scene);
   scene.hash = hasher.hex();
 }
 
