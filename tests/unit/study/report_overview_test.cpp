@@ -66,7 +66,7 @@ TEST_F(ReportOverview, BestIsTheClosestWithinTheTimeThatIsAllowed) {
 }
 
 TEST_F(ReportOverview, CropsHoldTheWorstPixels) {
-  const Json seen = visit(
+  const Json seen = visit(Json::array(
       {evaluate("(() => { const entry = {width: 40, height: 30}, n = 1200; const planes = {visibility: "
                 "new Float32Array(n)}, run = {visibility: new Float32Array(n), faults: new Uint8Array(n)};"
                 "for (const [x, y, e, c] of [[3, 3, 1, 2], [30, 20, 0.6, 5], [31, 21, 0.6, 5]]) {"
@@ -102,7 +102,7 @@ TEST_F(ReportOverview, ALinkBringsTheViewBack) {
        evaluate(ready(1)),
        evaluate(
            "(v => [v.cursor.x, v.cursor.y, v.mode, v.errorScale, v.picture, v.view.zoom])(viewers.get(0))"),
-       evaluate("{location.hash = '#scene-1-run-2?zoom=nonsense&cursor=9e9,1&map=none&mode=x';}"),
+       evaluate("{location.hash = '#scene-1-run-2?zoom=nonsense&cursor=9e9,1&map=none&mode=x'; undefined}"),
        evaluate(ready(1)), next_frame(),
        evaluate("(v => [v.mode, v.errorScale, v.view.zoom, v.cursor.x < v.entry.width])(viewers.get(0))")});
   EXPECT_EQ(seen["console"], Json::array());
