@@ -226,7 +226,7 @@ TEST_F(ExecutorLayers, MembersAndFacesThatDoNotExistAreSentences) {
   write(replaced(body, "light.face(face)", "light.face(face + 1)"));
   EXPECT_THAT(error_of(), AllOf(HasSubstr("light face of view 'cube'"), HasSubstr("from 0 to 5")));
   write(replaced(body, "variable = \"side\"\ncount = 6", "variable = \"side\"\ncount = 7"));
-  EXPECT_THAT(error_of(), HasSubstr("from 0 to 5"));
+  EXPECT_THAT(error_of(), HasSubstr("which has 6"));
 }
 
 }  // namespace

@@ -139,7 +139,8 @@ TEST_F(ProgramTest, TheDriverLaysFrameDataOutAsCppDoes) {
       {"view.light_from_world", offsetof(LightViewData, light_from_world)},
       {"view.clip_from_light", offsetof(LightViewData, clip_from_light)},
       {"view.lateral_bounds", offsetof(LightViewData, lateral_bounds)},
-      {"view.depth_range", offsetof(LightViewData, depth_range)}};
+      {"view.depth_range", offsetof(LightViewData, depth_range)},
+      {"view.slice_world", offsetof(LightViewData, slice_world)}};
   EXPECT_EQ(offsets, expected);
   EXPECT_EQ(uniform_block_bytes(program, "FrameBlock"), static_cast<int>(sizeof(FrameData)));
   EXPECT_EQ(uniform_block_bytes(program, "ViewBlock"), static_cast<int>(sizeof(LightViewData)));

@@ -127,7 +127,7 @@ ParameterValues bands(double width_1, double width_2, double width_3, double thr
 TEST(edge_mask_quantised, with_one_width_and_no_thresholds_is_pcf) {
   UMBRAMETER_REQUIRE_GL();
   for (const Scene& scene : scenes()) {
-    for (const std::string calibration : {"physical", "paper"}) {
+    for (const std::string calibration : {"physical", "stored_depth"}) {
       ParameterValues values = bands(7.0, 7.0, 7.0, 0.0);
       values["calibration"] = calibration;
       EXPECT_EQ(visibility(scene, "edge_mask_quantised", values), pcf(scene, 7.0))
@@ -141,7 +141,7 @@ TEST(edge_mask_quantised, above_every_step_is_hard) {
   // Depth from 0 to 1 has no step of 10.
   for (const Scene& scene : scenes()) {
     ParameterValues values = bands(3.0, 7.0, 15.0, 10.0);
-    values["calibration"] = "paper";
+    values["calibration"] = "stored_depth";
     EXPECT_EQ(visibility(scene, "edge_mask_quantised", values), hard(scene)) << scene.name;
   }
 }

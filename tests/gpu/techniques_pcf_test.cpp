@@ -51,7 +51,6 @@ class BruteForceTent : public testing::Test {
     std::ofstream(path() / "pcf_tent.frag") << R"(
 #include "pixel.glsl"
 #include "shadow_map.glsl"
-#include "tests/support/source_dir.h"
 const int kReach = SIZE + 2;  // texels farther off weigh nothing
 float at(int distance) {
   int witness[3 * 5] = int[](2, 1, 0, 0, 0, 4, 3, 1, 0, 0, 16, 12, 5, 1, 0);

@@ -197,8 +197,8 @@ TEST_F(ReportPartsVisit, PlotTimesWithTheFrontTheRecommendedRunAndTheTruth) {
   EXPECT_EQ(seen["values"][1], Json({{"x", {0.9 * 1.0, 1.1 * 1.0}}, {"y", {0.9 * 0.08, 1.1 * 0.08}}}));
   EXPECT_EQ(seen["values"][2], Json({"samples: RMSE as their number to the power -0.50"}));
   EXPECT_EQ(seen["values"][3], Json({0.04, 0.02}));
-  EXPECT_EQ(seen["values"][4], Json({"Summary", "Regression", "plate", "Time against error", "Stability map",
-                                     "Scales", "Skipped"}));
+  EXPECT_EQ(seen["values"][4], Json({"Overview", "Summary", "Regression", "plate", "Time against error",
+                                     "Stability map", "Scales", "Skipped"}));
 }
 
 TEST_F(ReportPartsVisit, WalkTheMapByKeysAndSayWhatACellHolds) {
