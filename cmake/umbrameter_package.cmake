@@ -9,6 +9,7 @@ set(CPACK_PACKAGE_DESCRIPTION
 "Renders a scene with a shadow technique in OpenGL and with a ray tracer that
 samples the area light until it knows its own error, and compares both pixel
 by pixel, with confidence intervals. Pictures of other renderers can be scored.")
+set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "${CPACK_PACKAGE_DESCRIPTION}")
 set(CPACK_RESOURCE_FILE_LICENSE "${CMAKE_SOURCE_DIR}/LICENSE")
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGING_INSTALL_PREFIX "/usr")

@@ -75,7 +75,7 @@ TEST(ExactRequest, WhatIsCutShortOrForeignIsRefused) {
   const fs::path file = folder.path() / "request";
   write_exact_request(file, plate(), receivers(), 0);
   const auto size = fs::file_size(file);
-  for (const uintmax_t keep : {uintmax_t{4}, uintmax_t{60}, size / 2, size - 1}) {
+  for (const uintmax_t keep : {size - 1, size / 2, uintmax_t{60}, uintmax_t{4}}) {
     fs::resize_file(file, keep);
     EXPECT_THAT(problem(file), HasSubstr("cut short")) << keep;
   }
