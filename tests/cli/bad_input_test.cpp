@@ -54,7 +54,7 @@ TEST_F(BadInput, ResolutionAndSampleCountsHaveLimits) {
 
 TEST_F(BadInput, UnknownNamesGetTheNearestOne) {
   expect_rejected("plaet", "did you mean 'plate'?");
-  expect_bad_input(umbrameter({"render", "plate", "--technique", "pcs"}), "did you mean 'pcf'?");
+  expect_bad_input(umbrameter({"render", "plate", "--technique", "pcs"}), "did you mean 'pcss'?");
   expect_bad_input(umbrameter({"techniques", "show", "acumulate"}), "did you mean 'accumulate'?");
   expect_bad_input(umbrameter({"render", "plate", "--technique", "pcf:map_sise=512"}),
                    "did you mean 'map_size'?");

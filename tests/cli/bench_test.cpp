@@ -139,7 +139,7 @@ TEST_F(BenchCommand, TheStudiesOfPapersNameTechniquesThatExist) {
     expect_bad_input(umbrameter({"bench", file.path().string()}), "UMBRAMETER_ASSETS");
     ++studies;
   }
-  EXPECT_EQ(studies, 5);
+  EXPECT_EQ(studies, 6);
 }
 
 TEST_F(BenchCommand, TimesNeedUnitsAndCsvItsName) {

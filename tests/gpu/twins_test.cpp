@@ -128,7 +128,7 @@ TEST_F(Twins, pixel_position_is_the_pixel_of_clip_space) {
 }
 
 const std::string kTwinView =
-    "LightViewData(mat4(1.0), mat4(1.0), vec4(-1.0, -0.5, 3.0, 1.5), vec4(0.5, 9.0, 0.0, 512.0))";
+    "LightViewData(mat4(1.0), mat4(1.0), vec4(-1.0, -0.5, 3.0, 1.5), vec4(0.5, 9.0, 0.0, 512.0), vec4(0.0))";
 
 TEST_F(Twins, texel_position_spans_the_lateral_bounds) {
   // Bounds 4 wide and 2 high over 512 texels.
