@@ -62,7 +62,7 @@ radius = {}
 /// Faults of a run: pixels by class.
 std::map<std::string, double> fault_pixels(const Json& run) {
   std::map<std::string, double> pixels;
-  for (const auto& [name, share] : run["diagnosis"]["faults"]["by_class"].items())
+  for (const auto& [name, share] : run["faults"]["classes"].items())
     pixels[name] = share["pixels"];
   return pixels;
 }
@@ -84,9 +84,9 @@ TEST_F(Units, ErrorsAndFaultsAreTheSameInEveryUnit) {
       const Json &metres = runs[1][i], &here = runs[other][i];
       const std::string label = metres["label"];
       // A float rounds otherwise in another unit: a pixel or two of an outline fall to the other side.
-      EXPECT_NEAR(here["error"]["rmse"]["value"], metres["error"]["rmse"]["value"], 2e-3) << label;
+      EXPECT_NEAR(here["error"]["rmse"]["value"], metres["error"]["rmse"]["value"], 2e-4) << label;
       for (const auto& [name, pixels] : fault_pixels(metres))
-        EXPECT_NEAR(fault_pixels(here)[name], pixels, 8) << label << " " << name;
+        EXPECT_NEAR(fault_pixels(here)[name], pixels, 3) << label << " " << name;
     }
   }
 }
@@ -105,11 +105,12 @@ TEST_F(Units, SafeWindowsAndTunedValuesScaleWithTheUnit) {
   };
   ASSERT_TRUE(found[1]["bias_sweep"][0]["has_window"]);
   for (const size_t other : {0u, 2u}) {
-    EXPECT_NEAR(std::log2(end(other, "acne_free_from") / end(1, "acne_free_from")), 0.0, 0.3);
-    EXPECT_NEAR(std::log2(end(other, "peter_pan_free_to") / end(1, "peter_pan_free_to")), 0.0, 0.3);
-    EXPECT_NEAR(found[other]["best"]["ratio"], found[1]["best"]["ratio"], 0.02);
-    EXPECT_NEAR(found[other]["best"]["parameters"]["bias_world"].get<double>() / kScales[other],
-                found[1]["best"]["parameters"]["bias_world"], 0.02);
+    EXPECT_NEAR(std::log2(end(other, "acne_free_from") / end(1, "acne_free_from")), 0.0, 0.1);
+    EXPECT_NEAR(std::log2(end(other, "peter_pan_free_to") / end(1, "peter_pan_free_to")), 0.0, 0.1);
+    EXPECT_NEAR(found[other]["best"]["ratio"], found[1]["best"]["ratio"], 0.002);
+    // Neighbouring biases have the same error: which is first among equals, rounding decides.
+    const double tuned = found[other]["best"]["parameters"]["bias_world"].get<double>() / kScales[other];
+    EXPECT_NEAR(std::log2(tuned / found[1]["best"]["parameters"]["bias_world"].get<double>()), 0.0, 0.6);
   }
 }
 
