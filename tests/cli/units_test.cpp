@@ -62,8 +62,7 @@ radius = {}
 /// Faults of a run: pixels by class.
 std::map<std::string, double> fault_pixels(const Json& run) {
   std::map<std::string, double> pixels;
-  for (const auto& [name, share] : run["faults"]["classes"].items())
-    pixels[name] = share["pixels"];
+  for (const auto& [name, share] : run["faults"]["classes"].items()) pixels[name] = share["pixels"];
   return pixels;
 }
 
