@@ -35,7 +35,10 @@ constexpr std::string_view kTooCoarse = "long_street";
 std::vector<std::string> library_scenes(const SceneSearch& search, bool with_assets) {
   std::vector<std::string> names;
   for (const SceneEntry& entry : list_scenes(search)) {
-    if (entry.name == kTooCoarse) continue;
+    if (entry.name == kTooCoarse) {
+      print_note(entry.name + " is left out: one map's texel is wider than its casters");
+      continue;
+    }
     if (with_assets && !entry.missing_assets.empty())
       print_note(entry.name + " is left out: its models are not there (set UMBRAMETER_ASSETS)");
     else if (with_assets || !entry.needs_assets)
