@@ -10,5 +10,5 @@ for id in hard pcf pcf_disk vsm evsm esm pcss pcss_vsm edge_mask_quantised penum
   techniques+=(--technique "$id")
 done
 ./umbrameter validate contact_hardening assets/bunny assets/crytek_sponza "${techniques[@]}" --quality quick --out "$folder" >/dev/null
-python3 scripts/readme_picture.py "$folder/report.html" assets/bunny hard,pcf,pcss docs/images/bunny.png
+python3 scripts/readme_picture.py "$folder/report.html" assets/bunny hard,pcf,pcss docs/images/bunny.png 330,205
 python3 scripts/readme_table.py "$folder/results.json" README.md

@@ -20,7 +20,7 @@ FIGURE = """(async (sceneName, labels, cursor) => {
   if (runs.includes(-1)) throw new Error(`not all of ${labels} are in the page`);
   await show(viewer, runs.at(-1), kReference);
   if (cursor) viewer.cursor = {x: cursor[0], y: cursor[1]};
-  const sheet = await viewerFigure(viewer, runs, {hasErrors: true, hasInset: true});
+  const sheet = await viewerFigure(viewer, runs, {hasErrors: true, hasInset: true, hasTimes: false});
   return sheetCanvas(sheet, sheetFactor(viewer)).toDataURL("image/png").split(",")[1];
 })"""
 

@@ -13,8 +13,7 @@ def cell(run):
     if run is None or not run["error"] or not run["error"]["rmse"]:
         return "n/a"
     rmse = run["error"]["rmse"]
-    time = next((one["median_ms"] for one in run["pass_times"] if one["pass"] == "total"), None)
-    return f"{rmse['value']:.3f} [{rmse['low']:.3f}, {rmse['high']:.3f}]" + (f", {time:.0f} ms" if time is not None else "")
+    return f"{rmse['value']:.3f} [{rmse['low']:.3f}, {rmse['high']:.3f}]"
 
 
 def table(results):
@@ -30,10 +29,10 @@ def table(results):
 def context(results):
     devices = {run["device"].split(" (")[0] for scene in results["scenes"] for run in scene["techniques"] if run.get("device")}
     truth = {scene["reference"]["device"] for scene in results["scenes"] if scene.get("reference")}
-    return (f"RMSE of visibility (0 = umbra, 1 = whole light seen) against the truth, its noise taken out, with its 95 % interval, and the\n"
-            f"time of a frame. Parameters at their defaults, {results['width_px']} x {results['height_px']} px, truth with "
-            f"{results['scenes'][0]['reference']['mean_sample_count']:.0f} samples per pixel, seed {results['seed']};\n"
-            f"{'; '.join(sorted(truth))}; {'; '.join(sorted(devices))} (a software rasteriser: times are not a GPU's):")
+    return (f"RMSE of visibility (0 = umbra, 1 = whole light seen) against the truth, its noise taken out, with its 95 % interval.\n"
+            f"Parameters at their defaults, {results['width_px']} x {results['height_px']} px, truth with up to "
+            f"{results['samples_per_pixel']} samples per pixel, seed {results['seed']};\n"
+            f"{'; '.join(sorted(truth))}; {'; '.join(sorted(devices))}; umbrameter {results['version']} ({results['commit']}):")
 
 
 def main():

@@ -94,8 +94,8 @@ function figureSheet({window, columns, inset, scale, caption}) {
   return {width: Math.ceil(width), height: Math.ceil(y + kGap_px / 2), items};
 }
 
-function figureNote(run) {
-  const rmse = run.error?.rmse, time = totalMs(run);
+function figureNote(run, hasTimes) {
+  const rmse = run.error?.rmse, time = hasTimes ? totalMs(run) : null;
   return [rmse ? `RMSE ${rmse.value.toFixed(3)}` : "", time === null ? "" : `${significantText(time, 2)} ms`].filter(text => text).join(", ");
 }
 
@@ -107,7 +107,7 @@ function figureCaption(viewer, runs) {
 }
 
 // What saveFigure draws: the truth and `runs` (indices), as the viewer shows them.
-async function viewerFigure(viewer, runs, {hasErrors, hasInset}) {
+async function viewerFigure(viewer, runs, {hasErrors, hasInset, hasTimes}) {
   const {entry, sceneIndex, scene} = viewer, truth = await scenePlanes(sceneIndex);
   const white = litScale(truth), window = figureWindow(viewer);
   const bitmap = colour => paintBitmap(entry.width, entry.height, colour);
@@ -116,7 +116,7 @@ async function viewerFigure(viewer, runs, {hasErrors, hasInset}) {
   for (const index of runs) {
     const planes = await runPlanes(entry.runs[index]), run = scene.techniques[index];
     const shown = {scene: truth, run: planes, other: truth, isReference: true, errorScale: viewer.errorScale};
-    columns.push({title: run.label, note: figureNote(run), picture: picture(planes),
+    columns.push({title: run.label, note: figureNote(run, hasTimes), picture: picture(planes),
                   error: planes.scored ? bitmap(i => layers.error.colour(shown, i)) : null});
   }
   const inset = hasInset ? insetWindow(viewer.cursor, window, 4 / 3) : null;

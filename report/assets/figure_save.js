@@ -92,7 +92,8 @@ function fillFigureRuns(viewer) {
 // The figure of the runs that are ticked.
 async function saveFigure(viewer, kind) {
   const runs = Array.from(part(viewer, "figure-runs").querySelectorAll("input:checked"), input => Number(input.value));
-  const sheet = await viewerFigure(viewer, runs, {hasErrors: part(viewer, "figure-errors").checked, hasInset: part(viewer, "figure-inset").checked});
+  const isTicked = name => part(viewer, `figure-${name}`).checked;
+  const sheet = await viewerFigure(viewer, runs, {hasErrors: isTicked("errors"), hasInset: isTicked("inset"), hasTimes: isTicked("times")});
   const name = `${viewer.scene.name}-figure.${kind}`;
   if (kind === "png") return sheetCanvas(sheet, sheetFactor(viewer)).toBlob(blob => download(name, blob), "image/png");
   download(name, new Blob([sheetSvg(sheet)], {type: "image/svg+xml"}));
