@@ -13,7 +13,7 @@ function benchRunsTable(scene) {
     numberCell("time_ms", run.time_ms?.value, significantInterval(run.time_ms, 4, " ms")),
     numberCell("rmse", run.rmse?.value, intervalText(run.rmse)),
     numberCell("memory_bytes", run.memory_bytes, bytesText(run.memory_bytes)),
-    benchPlace(run, run.label === scene.recommended), textCell(String(run.seed)), textCell(parametersText(run.parameters), "context")]));
+    benchPlace(run, run.label === scene.recommended), textCell(String(run.seed)), textCell(foldedText(parametersText(run.parameters)), "context")]));
 }
 
 function paperText({low, high}) {
