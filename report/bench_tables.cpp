@@ -58,6 +58,14 @@ std::string paper_text(const Json& paper) {
   return low == high ? fmt::format("{:.3g}", low) : fmt::format("{:.3g} to {:.3g}", low, high);
 }
 
+/// As format_compares().
+std::string compares_text(const Json& counts) {
+  const auto text = [](const Json& count) {
+    return count.is_null() ? "?" : fmt::format("{:.4g}", count.get<double>());
+  };
+  return fmt::format("{} : {}", text(counts.at(0)), text(counts.at(1)));
+}
+
 std::string claim_row(const Json& claim) {
   const auto ours = read_interval(claim.at("ours"));
   std::string verdict = claim.at("verdict").get<std::string>();
@@ -67,6 +75,7 @@ std::string claim_row(const Json& claim) {
          text_cell(fmt::format("{} of {} / {}", claim.at("quantity").get<std::string>(),
                                claim.at("numerator").get<std::string>(),
                                claim.at("denominator").get<std::string>())) +
+         text_cell(compares_text(claim.at("compares_per_pixel"))) +
          number_cell("paper", claim.at("paper").at("low").get<double>(), paper_text(claim.at("paper"))) +
          number_cell("ours", value_of(ours), significant(ours, 3, "")) + text_cell(verdict);
 }
@@ -108,10 +117,15 @@ std::string bench_runs_table(const Json& scene) {
 
 std::string bench_claims_table(const Json& scene) {
   if (scene.at("claims").empty()) return {};
-  return "<h4>What papers claim</h4>\n" +
-         scroll_table("What papers claim, and what was measured",
-                      {{"Claim"}, {"Source"}, {"Ratio"}, {"Paper", true}, {"Ours [95 %]", true}, {"Verdict"}},
-                      rows_of(scene.at("claims"), claim_row));
+  return "<h4>What papers claim</h4>\n" + scroll_table("What papers claim, and what was measured",
+                                                       {{"Claim"},
+                                                        {"Source"},
+                                                        {"Ratio"},
+                                                        {"Compares a pixel"},
+                                                        {"Paper", true},
+                                                        {"Ours [95 %]", true},
+                                                        {"Verdict"}},
+                                                       rows_of(scene.at("claims"), claim_row));
 }
 
 std::string bench_truth_table(const Json& scene) {
