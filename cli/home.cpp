@@ -165,7 +165,8 @@ std::unique_ptr<Renderer> open_gl_renderer(const GlobalOptions& options, const H
   return make_realtime_renderer({.techniques_folder = home.techniques,
                                  .shaders_folder = home.shaders,
                                  .device = options.device,
-                                 .cull_casters = cull_casters});
+                                 .cull_casters = cull_casters,
+                                 .keep_textures = cull_casters});
 }
 
 std::unique_ptr<Renderer> open_realtime_renderer(const GlobalOptions& options, const Home& home,

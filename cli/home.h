@@ -51,7 +51,7 @@ std::vector<TechniqueRun> all_techniques(const Home& home);
 /// A technique, or an engine with what runs need of one: title, parameters, presets, lights, hash; an id, or a folder.
 Technique find_run(const std::string& id_or_path, const Home& home);
 
-/// `cull_casters`: as in RealtimeSettings.
+/// `cull_casters`: as in RealtimeSettings; without it no textures are kept, either.
 std::unique_ptr<Renderer> open_realtime_renderer(const GlobalOptions& options, const Home& home,
                                                  bool cull_casters = true);
 

@@ -6,6 +6,7 @@
 #include "realtime/executor/check_visibility.h"
 #include "realtime/executor/execute.h"
 #include "realtime/executor/inspect_plan.h"
+#include "realtime/executor/kept_textures.h"
 #include "realtime/executor/left_out.h"
 #include "realtime/executor/receivers.h"
 #include "realtime/executor/texel_planes.h"
@@ -29,7 +30,8 @@ namespace {
 // Tuners go round and round between a few scenes and cameras: 13 cameras at 480 x 270 px fit.
 constexpr size_t kScenesBytes = size_t{256} << 20;
 constexpr size_t kPicturesBytes = size_t{256} << 20;
-constexpr size_t kPictureBytesPerPixel = 112;  // 60 of textures, 52 of planes
+constexpr size_t kTexturesBytes = size_t{512} << 20;  // 32 maps of 2048 texels a side
+constexpr size_t kPictureBytesPerPixel = 112;         // 60 of textures, 52 of planes
 
 struct SceneOnGpu {
   SceneBuffers buffers;
@@ -61,12 +63,16 @@ struct GlRun {
   GlContext& context;
   Technique technique;
   ParameterValues parameters;
+  std::optional<RunContents> contents;  // of a run whose textures may come from others and serve others
   std::shared_ptr<const SceneOnGpu> scene;
   std::shared_ptr<const Picture> picture;
   Plan plan;
   std::vector<std::string> left_out;
   std::optional<PassTimers> timers;
 };
+
+/// What a run is made for: all that is timed or looked into is drawn.
+enum class Use { rendered, timed, inspected };
 
 void require_support(const Technique& technique, const Light& light) {
   if (technique.supports(light.type)) return;
@@ -99,20 +105,22 @@ class GlRenderer final : public Renderer {
   }
 
   const GlDevice& device() const { return context_.device(); }
+  const PassCounts& counts() const { return textures_.counts(); }
 
   Image dump(const Scene& scene, const RenderRequest& request, const ResourcePart& part, Progress& progress) {
     const std::optional<LocalScene> local = local_scene(scene);
     check_request(request);
     context_.make_current();
-    const auto run = make_run(local ? local->scene : scene, request, false);
+    const auto run = make_run(local ? local->scene : scene, request, Use::inspected);
     draw_first(*run, progress);
+    run->plan.targets->allocate(part.resource);  // which no pass may have drawn into
     return read_layer(find_part(run->technique, *run->plan.targets, part), part.layer, part.level);
   }
 
   std::vector<FinalShader> shaders(const Scene& scene, const RenderRequest& request) {
     check_request(request);
     context_.make_current();
-    const auto run = make_run(scene, request, false);
+    const auto run = make_run(scene, request, Use::inspected);
     return final_shaders(run->plan);
   }
 
@@ -138,7 +146,7 @@ class GlRenderer final : public Renderer {
     if (request.technique.empty()) {
       prepared.frame.image = picture_of(scene, request)->image;
     } else {
-      const auto run = make_run(scene, request, is_timed);
+      const auto run = make_run(scene, request, is_timed ? Use::timed : Use::rendered);
       draw_first(*run, progress);
       describe(*run, prepared.frame);
       if (is_timed) keep_timing(run, prepared);
@@ -188,7 +196,7 @@ class GlRenderer final : public Renderer {
     return picture;
   }
 
-  std::shared_ptr<GlRun> make_run(const Scene& scene, const RenderRequest& request, bool is_timed) {
+  std::shared_ptr<GlRun> make_run(const Scene& scene, const RenderRequest& request, Use use) {
     const std::shared_ptr<const Technique> found = techniques_.find(request.technique);
     const Technique& declared = *found;
     require_support(declared, scene.light());
@@ -212,7 +220,13 @@ class GlRenderer final : public Renderer {
                            settings_.shaders_folder};
     run->plan = make_plan(inputs, programs_);
     run->left_out = left_out(inputs, run->plan);
-    if (!is_timed) return run;
+    if (use == Use::rendered && settings_.keep_textures) {
+      run->contents = find_contents(run->plan, inputs, picture_key(scene, request));
+      textures_.give(*run->contents, run->plan);
+    }
+    if (use == Use::timed) textures_.forget();
+    attach(run->plan);
+    if (use != Use::timed) return run;
     if (!timer_) timer_ = choose_timer();
     run->timers.emplace(*timer_, run->plan.labels.size());
     return run;
@@ -225,6 +239,7 @@ class GlRenderer final : public Renderer {
     draw_frame(run.plan, run.scene->buffers, empty_vertex_array_,
                {.timers = run.timers ? &*run.timers : nullptr, .progress = &progress});
     if (run.timers) run.timers->end_frame();
+    if (run.contents) textures_.take(*run.contents, run.plan);
     progress.end();
   }
 
@@ -279,6 +294,7 @@ class GlRenderer final : public Renderer {
   std::optional<TimerKind> timer_;
   RecentlyUsed<SceneOnGpu> scenes_{kScenesBytes};  // runs share both
   RecentlyUsed<Picture> pictures_{kPicturesBytes};
+  KeptTextures textures_{kTexturesBytes};
 };
 
 template <class Made, class Given>
@@ -297,6 +313,10 @@ std::unique_ptr<Renderer> make_realtime_renderer(const RealtimeSettings& setting
 std::string device_identity(const Renderer& renderer) {
   const GlDevice& device = gl_renderer_of<const GlRenderer>(renderer).device();
   return fmt::format("{}, {}", device.renderer, device.version);
+}
+
+PassCounts pass_counts(const Renderer& renderer) {
+  return gl_renderer_of<const GlRenderer>(renderer).counts();
 }
 
 Image dump_resource(Renderer& renderer, const Scene& scene, const RenderRequest& request,

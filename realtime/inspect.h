@@ -5,6 +5,7 @@
 #include "core/image.h"
 #include "core/renderer.h"
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,6 +27,13 @@ ResourcePart parse_resource_part(std::string_view whole);
 /// that the resource does not. `renderer` is one of make_realtime_renderer().
 Image dump_resource(Renderer& renderer, const Scene& scene, const RenderRequest& request,
                     const ResourcePart& part, Progress& progress);
+
+/// Passes so far of untimed frames of a renderer that keeps textures: drawn, and not drawn because a texture of an earlier
+/// frame holds what they would draw.
+struct PassCounts {
+  uint64_t drawn = 0, kept = 0;
+};
+PassCounts pass_counts(const Renderer& renderer);
 
 /// A shader as it went to the driver, generated prelude and includes in it.
 struct FinalShader {

@@ -19,6 +19,9 @@ struct RealtimeSettings {
   std::string device;
   /// Keep triangles that cannot reach a map out of it; the pictures are the same without.
   bool cull_casters = true;
+  /// Keep textures between untimed frames, so that passes whose inputs are the same are drawn once; the pictures are the
+  /// same without.
+  bool keep_textures = true;
 };
 
 /// One EGL device as seen by `umbrameter doctor`.

@@ -143,13 +143,17 @@ void draw_frame(const Plan& plan, const SceneBuffers& scene_buffers, const Verte
   for (const UniformRange& range : plan.frame_uniforms) bind_range(plan.uniforms, range);
   if (watch.is_first) {
     for (const Step& step : plan.steps) {
-      if (step.once) draw_step(plan, step, scene_buffers, empty_vertex_array);
+      if (step.once && !step.is_kept) draw_step(plan, step, scene_buffers, empty_vertex_array);
     }
   }
   constexpr size_t kNone = static_cast<size_t>(-1);
   size_t running = kNone;
   for (size_t i = 0; i < plan.steps.size(); ++i) {
     if (plan.steps[i].once) continue;
+    if (plan.steps[i].is_kept) {
+      if (watch.progress != nullptr) watch.progress->advance(1);
+      continue;
+    }
     const size_t label = plan.passes[plan.steps[i].pass].label;
     if (watch.timers != nullptr && label != running) {
       if (running != kNone) watch.timers->end();

@@ -25,6 +25,7 @@ class UniformStore {
     return {binding, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(block_bytes)};
   }
   Buffer upload() const { return Buffer(bytes_.size(), bytes_.data()); }
+  std::vector<std::byte> take_bytes() { return std::move(bytes_); }
 
  private:
   std::vector<std::byte> bytes_;
@@ -55,6 +56,7 @@ class Planner {
     add_passes(inputs_.technique.passes);
     require_visibility();
     plan_.uniforms = store_.upload();
+    plan_.uniform_bytes = store_.take_bytes();
     plan_.center_views = views_.center();
     plan_.sample_view = views_.first_sample();
     return std::move(plan_);
@@ -218,6 +220,21 @@ class Planner {
 
 Plan make_plan(const RunInputs& inputs, ProgramCache& programs) {
   return Planner(inputs, programs).make();
+}
+
+void attach(Plan& plan) {
+  std::vector<bool> is_drawn(plan.passes.size(), false);
+  for (const Step& step : plan.steps) is_drawn[step.pass] = is_drawn[step.pass] || !step.is_kept;
+  for (size_t i = 0; i < is_drawn.size(); ++i) {
+    if (!is_drawn[i]) continue;
+    const PassDeclaration& pass = *plan.passes[i].declaration;
+    for (const auto* names : {&pass.reads, &pass.writes}) {
+      for (const std::string& name : *names) plan.targets->allocate(name);
+    }
+  }
+  for (size_t i = 0; i < is_drawn.size(); ++i) {
+    if (is_drawn[i]) attach_pass(plan.passes[i], *plan.targets);
+  }
 }
 
 }  // namespace umbrameter

@@ -25,6 +25,7 @@ struct Step {
   std::vector<UniformRange> uniforms;
   bool mirrors = false;
   std::shared_ptr<const IndexRanges> casters;  // of a scene pass; none: every triangle
+  bool is_kept = false;                        // what it would write is there from an earlier run: not drawn
 };
 
 struct Plan {
@@ -34,6 +35,7 @@ struct Plan {
   std::vector<std::string> labels;  // of timers
   std::vector<UniformRange> frame_uniforms;
   Buffer uniforms;
+  std::vector<std::byte> uniform_bytes;   // what is in it
   std::vector<FittedView> center_views;   // from the light's centre: one map, or a family's
   std::optional<FittedView> sample_view;  // of the first sample, where maps are drawn from many
   std::vector<std::string> warnings;      // the GLSL compiler's
@@ -45,5 +47,8 @@ inline constexpr size_t kMaxSteps = size_t{1} << 18;
 
 /// Error{input} for sizes, counts and shaders that do not work.
 Plan make_plan(const RunInputs& inputs, ProgramCache& programs);
+
+/// Gives memory to the textures of all steps that are to be drawn, and binds it: before the first frame.
+void attach(Plan& plan);
 
 }  // namespace umbrameter

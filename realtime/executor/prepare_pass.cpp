@@ -41,8 +41,32 @@ void require_equal_shapes(const PassDeclaration& pass, const WritePlace& place, 
   }
 }
 
-void attach_targets(PreparedPass& prepared, const PassDeclaration& pass, const Targets& targets) {
+void note_formats(PreparedPass& prepared, const PassDeclaration& pass, const Targets& targets) {
   require_equal_shapes(pass, prepared.place, targets);
+  for (const std::string& name : pass.writes) {
+    const TextureFormat& format = written_target(pass, name, targets).drawn().format();
+    if (format.is_depth) {
+      prepared.has_depth = true;
+    } else {
+      prepared.color_formats.push_back(&format);
+    }
+  }
+}
+
+void require_readable(const PreparedPass& prepared, const PassDeclaration& pass, const Targets& targets) {
+  for (const std::string& name : pass.reads) {
+    const Target* target = targets.find(name);
+    if (target == nullptr) continue;
+    if (target->texture->samples() > 1)
+      fail_input(fmt::format("pass '{}' reads '{}', a multisampled depth", pass.id, name), pass.where);
+    if (prepared.place.level > 0 || std::ranges::find(pass.writes, name) == pass.writes.end()) continue;
+    fail_input(fmt::format("pass '{}' reads '{}' below level 0", pass.id, name), pass.where,
+               "begin with write_level 1");
+  }
+}
+
+void attach_targets(PreparedPass& prepared, const Targets& targets) {
+  const PassDeclaration& pass = *prepared.declaration;
   std::vector<const Texture*> colors;
   const Texture* depth = nullptr;
   for (const std::string& name : pass.writes) {
@@ -52,26 +76,19 @@ void attach_targets(PreparedPass& prepared, const PassDeclaration& pass, const T
       continue;
     }
     colors.push_back(&target.drawn());
-    prepared.color_formats.push_back(&target.drawn().format());
     if (target.multisampled == nullptr) continue;
     const std::array<const Texture*, 1> from = {target.multisampled};
     const std::array<const Texture*, 1> to = {target.texture};
     prepared.resolves.push_back({Framebuffer(from, nullptr), Framebuffer(to, nullptr)});
   }
-  prepared.has_depth = depth != nullptr;
   prepared.framebuffer = Framebuffer(colors, depth, prepared.place.level, prepared.place.layer);
   label_object(GL_FRAMEBUFFER, prepared.framebuffer.id(), pass.id);
 }
 
 /// What a pass reads and writes it sees one level below the one it writes.
-const Texture* read_texture_of(PreparedPass& prepared, const PassDeclaration& pass, const std::string& name,
-                               const Target& target) {
-  if (target.texture->samples() > 1)
-    fail_input(fmt::format("pass '{}' reads '{}', a multisampled depth", pass.id, name), pass.where);
-  if (std::ranges::find(pass.writes, name) == pass.writes.end()) return target.texture;
-  if (prepared.place.level == 0)
-    fail_input(fmt::format("pass '{}' reads '{}' below level 0", pass.id, name), pass.where,
-               "begin with write_level 1");
+const Texture* read_texture_of(PreparedPass& prepared, const std::string& name, const Target& target) {
+  const std::vector<std::string>& writes = prepared.declaration->writes;
+  if (std::ranges::find(writes, name) == writes.end()) return target.texture;
   prepared.level_views.push_back(
       std::make_unique<Texture>(Texture::view_of_level(*target.texture, prepared.place.level - 1)));
   return prepared.level_views.back().get();
@@ -113,18 +130,11 @@ PreparedPass prepare_pass(const PassDeclaration& pass, const WritePlace& place, 
   prepared.declaration = &pass;
   prepared.place = place;
   if (pass.kind == PassKind::mipmap) {
-    for (const std::string& name : pass.writes)
-      prepared.mipmaps.push_back(written_target(pass, name, targets).texture);
+    for (const std::string& name : pass.writes) written_target(pass, name, targets);
     return prepared;
   }
-  attach_targets(prepared, pass, targets);
-  for (size_t unit = 0; unit < pass.reads.size(); ++unit) {
-    const Target* target = targets.find(pass.reads[unit]);
-    if (target == nullptr) continue;
-    prepared.textures.push_back({static_cast<GLuint>(unit),
-                                 read_texture_of(prepared, pass, pass.reads[unit], *target),
-                                 &target->sampler});
-  }
+  note_formats(prepared, pass, targets);
+  require_readable(prepared, pass, targets);
   const std::filesystem::path vertex = vertex_file(pass, inputs);
   prepared.program = compile(pass, vertex, inputs, targets, around, false, programs);
   label_object(GL_PROGRAM, prepared.program->id(), pass.id);
@@ -133,6 +143,22 @@ PreparedPass prepare_pass(const PassDeclaration& pass, const WritePlace& place, 
   prepared.may_cull_casters = pass.kind == PassKind::scene && !prepared.program->names_primitive_id() &&
                               vertex.parent_path() == inputs.shaders_folder / "lib";
   return prepared;
+}
+
+void attach_pass(PreparedPass& prepared, const Targets& targets) {
+  const PassDeclaration& pass = *prepared.declaration;
+  if (pass.kind == PassKind::mipmap) {
+    for (const std::string& name : pass.writes)
+      prepared.mipmaps.push_back(written_target(pass, name, targets).texture);
+    return;
+  }
+  attach_targets(prepared, targets);
+  for (size_t unit = 0; unit < pass.reads.size(); ++unit) {
+    const Target* target = targets.find(pass.reads[unit]);
+    if (target == nullptr) continue;
+    prepared.textures.push_back(
+        {static_cast<GLuint>(unit), read_texture_of(prepared, pass.reads[unit], *target), &target->sampler});
+  }
 }
 
 }  // namespace umbrameter

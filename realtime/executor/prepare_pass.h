@@ -57,9 +57,12 @@ struct PassSurroundings {
   std::map<std::string, size_t> view_counts;  // of the views it lists: 1, or a family's
 };
 
-/// Leaves `label` at 0. Error{input} for targets that are left out or differ in size, for levels and layers they do not
-/// have, and for shaders that do not compile.
+/// Leaves `label` at 0, and the textures to attach_pass. Error{input} for targets that are left out or differ in size, for
+/// levels and layers they do not have, and for shaders that do not compile.
 PreparedPass prepare_pass(const PassDeclaration& pass, const WritePlace& place, const RunInputs& inputs,
                           const Targets& targets, const PassSurroundings& around, ProgramCache& programs);
+
+/// Makes the framebuffer and takes the textures, which must have memory.
+void attach_pass(PreparedPass& prepared, const Targets& targets);
 
 }  // namespace umbrameter

@@ -69,9 +69,10 @@ void Targets::add_resource(const ResourceDeclaration& resource, const Expression
   const int samples = count(resource, resource.samples, variables, "samples");
   const int layers = layer_count(resource, variables);
   const FileLocation& where = resource.width.where();
-  const auto make = [&](auto& textures, const TextureShape& shape) {
-    Texture texture(format, width, height, resource.name, where, shape);
-    return &textures.insert_or_assign(resource.name, std::move(texture)).first->second;
+  const auto make = [&](Textures& textures, const TextureShape& shape) {
+    auto texture = std::make_shared<const Texture>(
+        Texture::declared(format, width, height, resource.name, where, shape));
+    return textures.insert_or_assign(resource.name, std::move(texture)).first->second.get();
   };
   Target target;
   const TextureShape drawn{.levels = levels, .samples = samples, .kind = resource.kind, .layers = layers};
@@ -97,9 +98,34 @@ const Target* Targets::find(const std::string& name) const {
 size_t Targets::declared_bytes() const {
   size_t bytes = 0;
   for (const auto* textures : {&owned_, &multisampled_}) {
-    for (const auto& [name, texture] : *textures) bytes += texture.bytes();
+    for (const auto& [name, texture] : *textures) bytes += texture->bytes();
   }
   return bytes;
+}
+
+void Targets::allocate(const std::string& name) {
+  const auto target = targets_.find(name);
+  if (target == targets_.end()) return;
+  for (auto* textures : {&owned_, &multisampled_}) {
+    const auto found = textures->find(name);
+    if (found == textures->end() || found->second->id() != 0) continue;
+    const Texture* before = found->second.get();
+    auto texture = std::make_shared<const Texture>(before->allocated(name));
+    for (const Texture** used : {&target->second.texture, &target->second.multisampled}) {
+      if (*used == before) *used = texture.get();
+    }
+    found->second = std::move(texture);
+  }
+}
+
+std::shared_ptr<const Texture> Targets::share(const std::string& name) const {
+  const auto found = owned_.find(name);
+  return found == owned_.end() ? nullptr : found->second;
+}
+
+void Targets::replace(const std::string& name, std::shared_ptr<const Texture> texture) {
+  targets_.at(name).texture = texture.get();
+  owned_.at(name) = std::move(texture);
 }
 
 }  // namespace umbrameter

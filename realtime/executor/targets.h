@@ -5,6 +5,7 @@
 #include "realtime/executor/run_inputs.h"
 
 #include <map>
+#include <memory>
 #include <string>
 
 namespace umbrameter {
@@ -19,7 +20,8 @@ struct Target {
 
 class Targets {
  public:
-  /// Error{input} when a size is none or too large for this GL.
+  /// The technique's own textures have no memory before allocate(). Error{input} when a size is none or too large for
+  /// this GL.
   Targets(const RunInputs& inputs, const ExpressionVariables& variables);
 
   /// Null when the run leaves the resource out.
@@ -27,13 +29,20 @@ class Targets {
   const Texture& visibility() const { return visibility_; }
   /// Of the technique's own resources.
   size_t declared_bytes() const;
+  /// Gives the resource memory unless it has some.
+  void allocate(const std::string& name);
+  /// A declared resource's texture, for others to read too; null for other names, and for a multisampled depth.
+  std::shared_ptr<const Texture> share(const std::string& name) const;
+  /// Puts one of the same format and shape in the place of a texture that share() gives.
+  void replace(const std::string& name, std::shared_ptr<const Texture> texture);
 
  private:
   void add_resource(const ResourceDeclaration& resource, const ExpressionVariables& variables);
 
   Texture visibility_;
-  std::map<std::string, Texture, std::less<>> owned_;
-  std::map<std::string, Texture, std::less<>> multisampled_;
+  using Textures = std::map<std::string, std::shared_ptr<const Texture>, std::less<>>;
+  Textures owned_;
+  Textures multisampled_;
   std::map<std::string, Target, std::less<>> targets_;
 };
 

@@ -93,7 +93,7 @@ void bind_storage_buffer(GLuint binding, const Buffer& buffer) {
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffer.id());
 }
 
-Sampler::Sampler(const SamplerSettings& settings) {
+Sampler::Sampler(const SamplerSettings& settings) : settings_(settings) {
   GLuint id = 0;
   glCreateSamplers(1, &id);
   handle_ = GlHandle<destroy_sampler>(id);

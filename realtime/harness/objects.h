@@ -80,6 +80,11 @@ class Texture {
   /// Error{environment} when the GPU is out of memory.
   Texture(const TextureFormat& format, int width, int height, const std::string& name = {},
           const FileLocation& where = {}, const TextureShape& shape = {});
+  /// As the constructor, but without memory: what it is may be asked, and nothing else before allocated().
+  static Texture declared(const TextureFormat& format, int width, int height, const std::string& name,
+                          const FileLocation& where, const TextureShape& shape);
+  /// One like this, with memory.
+  Texture allocated(const std::string& name) const;
   /// One level of `texture`, all its layers, as a texture of its own; shares its memory and must not outlive it.
   static Texture view_of_level(const Texture& texture, int level);
 
@@ -123,9 +128,11 @@ class Sampler {
   Sampler() = default;
   explicit Sampler(const SamplerSettings& settings);
   GLuint id() const { return handle_.id(); }
+  const SamplerSettings& settings() const { return settings_; }
 
  private:
   GlHandle<destroy_sampler> handle_;
+  SamplerSettings settings_;
 };
 
 /// Binds texture and sampler to a unit.

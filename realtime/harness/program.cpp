@@ -3,6 +3,8 @@
 
 #include "core/hash.h"
 #include "realtime/harness/debug_log.h"
+#include "realtime/harness/file_stamps.h"
+#include "realtime/harness/shader_words.h"
 
 #include <algorithm>
 #include <array>
@@ -85,8 +87,16 @@ std::vector<ShaderSource> load_sources(std::span<const ShaderFile> stages,
   std::vector<ShaderSource> sources;
   for (const ShaderFile& stage : stages) {
     sources.push_back(load_shader_source(stage.file, stage.prelude, search_folders));
+    sources.back().text = without_idle_macros(sources.back().text);
   }
   return sources;
+}
+
+std::string key_of(std::span<const ShaderFile> stages, std::span<const ShaderSource> sources) {
+  Hasher hasher;
+  for (size_t i = 0; i < stages.size(); ++i)
+    hasher.number(static_cast<double>(stages[i].stage)).text(sources[i].text);
+  return hasher.hex();
 }
 
 void require_linked(GLuint program, std::span<const ShaderFile> stages) {
@@ -122,11 +132,13 @@ GLint block_property(const Program& program, GLuint block, GLenum property) {
 Program::Program(std::span<const ShaderFile> stages, std::span<const std::filesystem::path> search_folders)
     : Program(stages, load_sources(stages, search_folders)) {}
 
-Program::Program(std::span<const ShaderFile> stages, std::span<const ShaderSource> sources) {
+Program::Program(std::span<const ShaderFile> stages, std::span<const ShaderSource> sources)
+    : key_(key_of(stages, sources)) {
   std::vector<Shader> shaders;
   for (size_t i = 0; i < stages.size(); ++i) {
     shaders.push_back(compile(stages[i], sources[i], warnings_));
     texts_.push_back({stages[i].stage, sources[i].text});
+    std::ranges::copy(repeated_words(sources[i].text), std::back_inserter(repeated_words_));
     names_primitive_id_ |= sources[i].text.find("gl_PrimitiveID") != std::string::npos;
     dependencies_.insert(dependencies_.end(), sources[i].dependencies.begin(), sources[i].dependencies.end());
   }
@@ -135,6 +147,12 @@ Program::Program(std::span<const ShaderFile> stages, std::span<const ShaderSourc
   glLinkProgram(id());
   for (const Shader& shader : shaders) glDetachShader(id(), shader.id());
   require_linked(id(), stages);
+  samplers_ = active_uniforms(*this);
+  std::ranges::sort(repeated_words_);
+}
+
+bool Program::reads_uniform(const std::string& name) const {
+  return std::ranges::binary_search(repeated_words_, name);
 }
 
 std::string_view to_text(ShaderStage stage) {
@@ -153,13 +171,23 @@ ProgramCache::ProgramCache(std::vector<std::filesystem::path> search_folders)
     : search_folders_(std::move(search_folders)) {}
 
 std::shared_ptr<const Program> ProgramCache::get(std::span<const ShaderFile> stages) {
-  const std::vector<ShaderSource> sources = load_sources(stages, search_folders_);
   Hasher hasher;
-  for (size_t i = 0; i < stages.size(); ++i) {
-    hasher.number(static_cast<double>(stages[i].stage)).text(sources[i].text);
-  }
-  std::shared_ptr<const Program>& program = programs_[hasher.hex()];
+  for (const ShaderFile& stage : stages)
+    hasher.number(static_cast<double>(stage.stage)).text(stage.file.string()).text(stage.prelude);
+  Known& known = known_[hasher.hex()];
+  if (known.stamps && stamps_of(known.files) == known.stamps) return known.program;
+  return read(stages, known);
+}
+
+std::shared_ptr<const Program> ProgramCache::read(std::span<const ShaderFile> stages, Known& known) {
+  known = {};
+  const std::vector<ShaderSource> sources = load_sources(stages, search_folders_);
+  for (const ShaderSource& source : sources)
+    known.files.insert(known.files.end(), source.dependencies.begin(), source.dependencies.end());
+  known.stamps = stamps_of(known.files);
+  std::shared_ptr<const Program>& program = programs_[key_of(stages, sources)];
   if (program == nullptr) program.reset(new Program(stages, sources));
+  known.program = program;
   return program;
 }
 

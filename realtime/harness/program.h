@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,6 +42,12 @@ class Program {
   const std::vector<std::string>& warnings() const { return warnings_; }
   /// What went to the driver, by stage, in the order of the stages.
   const std::vector<StageText>& texts() const { return texts_; }
+  /// Of the texts: equal for programs that do the same.
+  const std::string& key() const { return key_; }
+  /// The samplers that it uses.
+  const std::vector<std::string>& samplers() const { return samplers_; }
+  /// Whether a stage's text names a uniform besides declaring it.
+  bool reads_uniform(const std::string& name) const;
   /// Whether a stage's text names gl_PrimitiveID: which triangles are drawn together matters to it.
   bool names_primitive_id() const { return names_primitive_id_; }
 
@@ -51,11 +58,15 @@ class Program {
   std::vector<std::filesystem::path> dependencies_;
   std::vector<std::string> warnings_;
   std::vector<StageText> texts_;
+  std::string key_;
+  std::vector<std::string> samplers_;
+  std::vector<std::string> repeated_words_;  // of any stage, in alphabetical order
   bool names_primitive_id_ = false;
 };
 
-/// Programs by the hash of their full text, so an edited file is noticed and an unchanged one is not
-/// recompiled.
+/// Programs by the hash of their full text, so an edited file is noticed and an unchanged one is not recompiled. Macros that
+/// a shader never names are left out of it: what only they tell apart is compiled once. Files are read again only when the
+/// time or size of one has changed, or the time of its folder.
 class ProgramCache {
  public:
   /// `search_folders`: where #include "x" looks after the including file's own folder.
@@ -64,7 +75,17 @@ class ProgramCache {
   const std::vector<std::filesystem::path>& search_folders() const { return search_folders_; }
 
  private:
+  /// What was asked for last, and the state its files were in.
+  struct Known {
+    std::shared_ptr<const Program> program;
+    std::vector<std::filesystem::path> files;
+    std::optional<std::vector<int64_t>> stamps;
+  };
+
+  std::shared_ptr<const Program> read(std::span<const ShaderFile> stages, Known& known);
+
   std::vector<std::filesystem::path> search_folders_;
+  std::map<std::string, Known> known_;  // by files and preludes
   std::map<std::string, std::shared_ptr<const Program>> programs_;
 };
 

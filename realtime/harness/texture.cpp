@@ -101,21 +101,40 @@ const TextureFormat& find_texture_format(std::string_view name, const FileLocati
 
 Texture::Texture(const TextureFormat& format, int width, int height, const std::string& name,
                  const FileLocation& where, const TextureShape& shape)
-    : format_(&format), width_(width), height_(height), shape_(shape) {
+    : Texture(declared(format, width, height, name, where, shape).allocated(name)) {}
+
+Texture Texture::declared(const TextureFormat& format, int width, int height, const std::string& name,
+                          const FileLocation& where, const TextureShape& shape) {
   require_size(width, height, name, where);
   require_shape(width, height, shape, name, where);
+  Texture texture;
+  texture.format_ = &format;
+  texture.width_ = width;
+  texture.height_ = height;
+  texture.shape_ = shape;
+  return texture;
+}
+
+Texture Texture::allocated(const std::string& name) const {
+  Texture texture;
+  texture.format_ = format_;
+  texture.width_ = width_;
+  texture.height_ = height_;
+  texture.shape_ = shape_;
   GLuint id = 0;
-  glCreateTextures(target_of(shape), 1, &id);
-  handle_ = GlHandle<destroy_texture>(id);
-  if (shape.samples > 1) {
-    glTextureStorage2DMultisample(id, shape.samples, format.internal_format, width, height, GL_TRUE);
-  } else if (shape.kind == TextureKind::array) {
-    glTextureStorage3D(id, shape.levels, format.internal_format, width, height, shape.layers);
+  glCreateTextures(target_of(shape_), 1, &id);
+  texture.handle_ = GlHandle<destroy_texture>(id);
+  const GLenum format = format_->internal_format;
+  if (shape_.samples > 1) {
+    glTextureStorage2DMultisample(id, shape_.samples, format, width_, height_, GL_TRUE);
+  } else if (shape_.kind == TextureKind::array) {
+    glTextureStorage3D(id, shape_.levels, format, width_, height_, shape_.layers);
   } else {
-    glTextureStorage2D(id, shape.levels, format.internal_format, width, height);
+    glTextureStorage2D(id, shape_.levels, format, width_, height_);
   }
   label_object(GL_TEXTURE, id, name);
   require_gl_memory(name.empty() ? "a texture" : fmt::format("texture '{}'", name), bytes());
+  return texture;
 }
 
 size_t Texture::bytes() const {

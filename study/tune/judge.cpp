@@ -30,7 +30,7 @@ Judge::Judge(Studio& studio, std::vector<View> views, Objective objective, const
   draw_and_score(
       views_.size(), [&](size_t i) { return studio_.render(views_[i], defaults); },
       [&](size_t i, const Frame& frame) {
-        found[i] = measure_objective(objective, frame.image, views_[i].reference, views_[i].mask, false);
+        found[i] = measure_objective(objective, frame.image, views_[i].reference, views_[i].mask, true);
         return found[i].has_value();
       });
   for (size_t i = 0; i < views_.size(); ++i) {
@@ -41,10 +41,10 @@ Judge::Judge(Studio& studio, std::vector<View> views, Objective objective, const
     }
     scales_.push_back(std::max(found[i]->value, kLeastScale));
   }
-  known_[key_of(defaults)] = ratios_of(found);
+  known_[key_of(defaults)] = std::move(found);
 }
 
-double Judge::ratio(const ParameterValues& values) {
+double Judge::ratio(const ParameterValues& values) const {
   return mean_of(ratios(values));
 }
 
@@ -68,13 +68,13 @@ std::optional<Interval> Judge::gain_on(size_t index, const ParameterValues& ours
   return gain;
 }
 
-const std::vector<double>& Judge::ratios(const ParameterValues& values) {
+const Judge::Measures& Judge::measures(const ParameterValues& values) const {
   const auto [place, is_new] = known_.try_emplace(key_of(values));
-  if (!is_new) return place->second;
-  return place->second = ratios_of(measures(values, false));
+  if (is_new) place->second = render(values);
+  return place->second;
 }
 
-Judge::Measures Judge::measures(const ParameterValues& values, bool with_interval) const {
+Judge::Measures Judge::render(const ParameterValues& values) const {
   Measures found(views_.size());
   // Values that a technique's constraints forbid fail here: a wall of the search, not its end. What fails on one view is
   // no answer for the others.
@@ -82,8 +82,7 @@ Judge::Measures Judge::measures(const ParameterValues& values, bool with_interva
     draw_and_score(
         views_.size(), [&](size_t i) { return studio_.render(views_[i], values); },
         [&](size_t i, const Frame& frame) {
-          found[i] =
-              measure_objective(objective_, frame.image, views_[i].reference, views_[i].mask, with_interval);
+          found[i] = measure_objective(objective_, frame.image, views_[i].reference, views_[i].mask, true);
           return found[i].has_value();
         });
   });

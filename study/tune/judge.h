@@ -24,10 +24,10 @@ class Judge {
   using Measures = std::vector<std::optional<ObjectiveValue>>;  // one a view
 
   /// Infinite when a view has no objective or fails. Never renders the same values twice.
-  double ratio(const ParameterValues& values);
+  double ratio(const ParameterValues& values) const;
 
   /// The same on each view.
-  const std::vector<double>& ratios(const ParameterValues& values);
+  std::vector<double> ratios(const ParameterValues& values) const { return ratios_of(measures(values)); }
 
   /// How much larger `other`'s ratio is than that of `ours` on one view, with its 95 % interval, pixel paired with pixel:
   /// positive where ours is better. Absent for objectives other than rmse, and where a picture fails.
@@ -35,7 +35,7 @@ class Judge {
                                   const ParameterValues& other) const;
 
   /// On every view, with intervals; absent where there is no objective, and from where a picture fails.
-  Measures measures(const ParameterValues& values) const { return measures(values, true); }
+  const Measures& measures(const ParameterValues& values) const;
   /// The ratios of such measures, one a view.
   std::vector<double> ratios_of(const Measures& measures) const;
 
@@ -44,13 +44,13 @@ class Judge {
   const std::vector<View>& views() const { return views_; }
 
  private:
-  Measures measures(const ParameterValues& values, bool with_interval) const;
+  Measures render(const ParameterValues& values) const;
 
   Studio& studio_;
   std::vector<View> views_;
   Objective objective_;
-  std::vector<double> scales_;                        // the defaults' objective
-  std::map<std::string, std::vector<double>> known_;  // a ratio a view
+  std::vector<double> scales_;                     // the defaults' objective
+  mutable std::map<std::string, Measures> known_;  // by values
 };
 
 }  // namespace umbrameter

@@ -12,6 +12,11 @@ constexpr int kBisections = 4;
 constexpr double kShare = 1e-3;    // of scored pixels
 constexpr double kOctaves = 0.25;  // of a penumbra's width
 
+/// Beyond such a value everything is too high, whatever else it looks like.
+bool is_only_too_high(const WindowPoint& point, double tolerance) {
+  return point.too_high > tolerance && !(point.too_low > tolerance);
+}
+
 /// The least value from which on no point is too low.
 std::optional<double> lower_end(const std::vector<WindowPoint>& points, double tolerance) {
   std::optional<double> from;
@@ -42,9 +47,11 @@ class Sweep {
     return true;
   }
 
-  bool add_all() {
+  /// Upwards, to the first value that is too high and not too low.
+  bool add_levels(double tolerance) {
     for (int i = 0; i <= kSteps; ++i) {
       if (!add(static_cast<double>(i) / kSteps)) return false;
+      if (!points.empty() && is_only_too_high(points.back(), tolerance)) return true;
     }
     return true;
   }
@@ -103,7 +110,7 @@ SafeWindow find_window(const Parameter& axis, const MeasureWindow& measure,
   out.unit = axis.unit;
   out.kind = window_of(axis).value_or(WindowKind::bias);
   const double tolerance = tolerance_of(out.kind);
-  out.is_complete = sweep.add_all() && sweep.refine(lower_end, tolerance, true) &&
+  out.is_complete = sweep.add_levels(tolerance) && sweep.refine(lower_end, tolerance, true) &&
                     sweep.refine(upper_end, tolerance, false);
   out.points = std::move(sweep.points);
   if (!out.is_complete) return out;

@@ -39,7 +39,7 @@ struct SafeWindow {
   WindowKind kind = WindowKind::bias;
   bool is_at_tuned = false;         // else: beside the values as given
   std::vector<WindowPoint> points;  // by value
-  std::optional<double> from;       // least value from which on none is too low; absent: all are
+  std::optional<double> from;       // least value from which on none of them is too low; absent: all are
   std::optional<double> to;         // largest value up to which none is too high; absent: all are
   bool is_complete = true;          // false: the time was up, and there is no window
 
@@ -50,7 +50,8 @@ struct SafeWindow {
 std::optional<double> in_texels(const std::string& unit, double length, double texel_world);
 std::optional<double> in_world_units(const std::string& unit, double length, double texel_world);
 
-/// Steps over the axis, then bisection of both ends. `goes_on` is asked before each measurement.
+/// Steps up the axis, to the first value that is too high and not too low, then bisection of both ends: what looks like acne
+/// on shadows that are detached or moved aside bounds nothing. `goes_on` is asked before each measurement.
 SafeWindow find_window(const Parameter& axis, const MeasureWindow& measure,
                        const std::function<bool()>& goes_on);
 

@@ -50,8 +50,8 @@ radius = {}
                             0.4 * unit));
   }
 
-  Json answer(std::vector<std::string> arguments) const {
-    arguments.insert(arguments.end(), kSmall.begin(), kSmall.end());
+  Json answer(std::vector<std::string> arguments, const std::vector<std::string>& size = kSmall) const {
+    arguments.insert(arguments.end(), size.begin(), size.end());
     arguments.insert(arguments.end(), {"--json"});
     const ProcessResult result = umbrameter(arguments);
     EXPECT_EQ(result.exit_code, 0) << result.err;
@@ -111,6 +111,24 @@ TEST_F(Units, SafeWindowsAndTunedValuesScaleWithTheUnit) {
     const double tuned = found[other]["best"]["parameters"]["bias_world"].get<double>() / kScales[other];
     EXPECT_NEAR(std::log2(tuned / found[1]["best"]["parameters"]["bias_world"].get<double>()), 0.0, 0.6);
   }
+}
+
+TEST_F(Units, TheWindowOfACrateInCentimetresIsThatOfItsTexels) {
+  write_crate("crate.toml", 100.0);
+  const Json found =
+      answer({"tune", "crate.toml", "--technique",
+              "hard:receiver_plane=none,bias_texels=0,normal_offset_texels=0,map_size=512", "--parameters",
+              "bias_world", "--evaluations", "3", "--cameras", "1", "--out", "tuned"},
+             {"--width", "320", "--height", "180", "--spp", "64", "--no-coarse"});
+  const Json& window = found["bias_sweep"][0];
+  ASSERT_TRUE(window["has_window"]);
+  // The front of the crate, of normal z, is the steepest that the lamp at (-3, 5, 2) lights: tangent of its incidence
+  // sqrt(34) / 2, times half the diagonal of a texel: 2.06 texels. A thousandth of the pixels may have acne, and the levels
+  // of the search are 13 % apart there.
+  const double texels = window["acne_free_from"]["texels"].get<double>();
+  EXPECT_NEAR(std::log2(texels / 2.06), 0.0, 0.25);
+  EXPECT_NEAR(window["acne_free_from"]["world"].get<double>(), 3.3, 0.5);
+  EXPECT_NEAR(window["peter_pan_free_to"]["world"].get<double>(), 69.0, 7.0);
 }
 
 TEST_F(Units, ABiasMayBeAsLongAsTheSceneIsLarge) {

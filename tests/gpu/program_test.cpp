@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 
 #include <array>
+#include <chrono>
 #include <fstream>
 
 namespace umbrameter {
@@ -108,6 +109,35 @@ TEST_F(ProgramTest, TheCacheCompilesAgainOnlyWhenSomeTextChanged) {
   EXPECT_EQ(cache.get(stages), first);
   write("part.glsl", "float a() { return 2.0; }\n");
   EXPECT_NE(cache.get(stages), first);
+}
+
+TEST_F(ProgramTest, AnEditIsSeenAfterFilesWereLeftAloneForAWhile) {
+  ProgramCache cache({test::shaders_folder() / "lib"});
+  const fs::path file = write("user.frag", "layout(location = 0) out float o;\nvoid main() { o = 1.0; }\n");
+  for (const fs::path& place : {file, file.parent_path()})
+    fs::last_write_time(place, fs::file_time_type::clock::now() - std::chrono::hours(1));
+  const std::array<ShaderFile, 2> stages = {
+      {{ShaderStage::vertex, test::shaders_folder() / "lib/fullscreen.vert", ""},
+       {ShaderStage::fragment, file, ""}}};
+  const auto first = cache.get(stages);
+  EXPECT_EQ(cache.get(stages), first);
+  write("user.frag", "layout(location = 0) out float o;\nvoid main() { o = 2.0; }\n");
+  EXPECT_NE(cache.get(stages), first);
+}
+
+TEST_F(ProgramTest, MacrosThatAShaderDoesNotNameMakeNoOtherProgram) {
+  ProgramCache cache({test::shaders_folder() / "lib"});
+  const fs::path file =
+      write("user.frag", "layout(location = 0) out float o;\nvoid main() { o = float(TAPS); }\n");
+  const auto with = [&](const std::string& prelude) {
+    const std::array<ShaderFile, 2> stages = {
+        {{ShaderStage::vertex, test::shaders_folder() / "lib/fullscreen.vert", prelude},
+         {ShaderStage::fragment, file, prelude}}};
+    return cache.get(stages);
+  };
+  const auto first = with("#define TAPS 4\n#define BILINEAR 0\n");
+  EXPECT_EQ(with("#define TAPS 4\n#define BILINEAR 1\n"), first);
+  EXPECT_NE(with("#define TAPS 8\n#define BILINEAR 0\n"), first);
 }
 
 TEST_F(ProgramTest, TheDriverLaysFrameDataOutAsCppDoes) {

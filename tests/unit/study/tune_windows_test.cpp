@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+// Without these, a tuner could promise a window that is not there, or deny one that is.
+
+#include "study/tune/draw_and_score.h"
+#include "tests/unit/study/tune_fixture.h"
+
+#include <gmock/gmock.h>
+
+#include <set>
+
+namespace umbrameter {
+namespace {
+
+TEST(DrawAndScore, ScoresInOrderBesideTheNextDraw) {
+  std::vector<size_t> scored;
+  std::vector<size_t> drawn;
+  const auto frame = [&](size_t i) {
+    drawn.push_back(i);
+    return frame_of(technique_image(0.0f));
+  };
+  const auto score_until = [&](size_t last) {
+    return [&scored, last](size_t i, const Frame& picture) {
+      EXPECT_TRUE(picture.image.has("visibility"));
+      scored.push_back(i);
+      return i != last;
+    };
+  };
+  draw_and_score(4, frame, score_until(9));
+  EXPECT_THAT(scored, testing::ElementsAre(0, 1, 2, 3));
+  scored.clear();
+  drawn.clear();
+  draw_and_score(5, frame, score_until(1));
+  EXPECT_THAT(scored, testing::ElementsAre(0, 1));
+  EXPECT_THAT(drawn, testing::ElementsAre(0, 1, 2));
+  draw_and_score(0, frame, score_until(0));
+  EXPECT_EQ(scored.size(), 2u);
+  const auto broken = [](size_t, const Frame&) -> bool { fail_input("a NaN"); };
+  EXPECT_THROW(draw_and_score(3, frame, broken), Error);
+}
+
+/// Acne below `acne`, peter-panning above `detached`.
+SafeWindow window(double acne, double detached, size_t* measured = nullptr) {
+  const MeasureWindow measure = [=](double bias) {
+    if (measured != nullptr) ++*measured;
+    return WindowPoint{bias, 0.1, bias < acne ? 0.02 : 0.0, bias > detached ? 0.03 : 0.0};
+  };
+  return find_window(bias_parameter(), measure, [] { return true; });
+}
+
+TEST(SafeWindows, LieBetweenAcneAndPeterPanning) {
+  size_t measured = 0;
+  const SafeWindow found = window(0.5, 3.0, &measured);
+  ASSERT_TRUE(found.has_window());
+  EXPECT_LE(measured, 16u);  // eight levels, and both ends halved four times
+  // A 7th of the axis, halved four times: 0.009 cbrt(32) of the cube root.
+  EXPECT_NEAR(std::cbrt(*found.from), std::cbrt(0.5), 0.03);
+  EXPECT_NEAR(std::cbrt(*found.to), std::cbrt(3.0), 0.03);
+  EXPECT_GE(*found.from, 0.5);
+  EXPECT_LE(*found.to, 3.0);
+  EXPECT_DOUBLE_EQ(*in_world_units(found.unit, 2.0, 0.25), 0.5);
+  EXPECT_DOUBLE_EQ(*in_texels(found.unit, 2.0, 0.25), 2.0);
+  EXPECT_DOUBLE_EQ(*in_texels("world", 2.0, 0.25), 8.0);
+  EXPECT_FALSE(in_texels("world", 2.0, 0.0));
+  EXPECT_FALSE(in_texels("none", 2.0, 0.25));
+}
+
+TEST(SafeWindows, MayBeEmpty) {
+  const SafeWindow crossed = window(3.0, 0.5);
+  EXPECT_FALSE(crossed.has_window());
+  EXPECT_TRUE(crossed.from && crossed.to);
+  EXPECT_FALSE(window(100.0, 200.0).from);
+  EXPECT_FALSE(window(0.0, -1.0).to);
+}
+
+TEST(SafeWindows, EndWhereShadowsAreDetachedWhateverLooksLikeAcneBeyond) {
+  std::set<double> tried;
+  const MeasureWindow measure = [&](double bias) {
+    tried.insert(bias);
+    const bool looks_like_acne = bias < 0.5 || bias > 15.0;
+    return WindowPoint{bias, 0.1, looks_like_acne ? 0.02 : 0.0, bias > 3.0 ? 0.03 : 0.0};
+  };
+  const SafeWindow found = find_window(bias_parameter(), measure, [] { return true; });
+  ASSERT_TRUE(found.has_window());
+  EXPECT_NEAR(std::cbrt(*found.from), std::cbrt(0.5), 0.03);
+  EXPECT_NEAR(std::cbrt(*found.to), std::cbrt(3.0), 0.03);
+  EXPECT_LT(*tried.rbegin(), 6.1);  // (4/7)^3 of 32 is the first level above 3
+}
+
+TEST(SafeWindows, MayReachFromEndToEnd) {
+  const SafeWindow all = window(0.0, 100.0);
+  EXPECT_EQ(*all.from, 0.0);
+  EXPECT_EQ(*all.to, 32.0);
+}
+
+Parameter size_parameter() {
+  Parameter parameter;
+  parameter.name = "light_size_scale";
+  parameter.default_value = 1.0;
+  parameter.min = 0.1;
+  parameter.max = 10.0;
+  parameter.scale = ParameterScale::log;
+  parameter.unit = "none";
+  parameter.group = "light";
+  return parameter;
+}
+
+TEST(SafeWindows, OfALightSizeLieBetweenTooHardAndTooSoft) {
+  // A kernel twice as wide as it should be at scale 1: right at a half, and a quarter of an octave to each side.
+  const MeasureWindow measure = [](double scale) {
+    const double octaves = std::log2(2.0 * scale);
+    return WindowPoint{scale, 0.1, std::max(0.0, -octaves), std::max(0.0, octaves)};
+  };
+  const SafeWindow found = find_window(size_parameter(), measure, [] { return true; });
+  EXPECT_EQ(found.kind, WindowKind::light_size);
+  ASSERT_TRUE(found.has_window());
+  EXPECT_NEAR(std::log2(2.0 * *found.from), -0.25, 0.1);
+  EXPECT_NEAR(std::log2(2.0 * *found.to), 0.25, 0.1);
+  EXPECT_GE(std::log2(2.0 * *found.from), -0.25);
+  EXPECT_LE(std::log2(2.0 * *found.to), 0.25);
+}
+
+TEST(Objectives, ADestroyedPenumbraIsNoWidthOfNothing) {
+  EXPECT_THROW(choose_objective("rsme"), Error);
+  EXPECT_EQ(choose_objective("faults"), Objective::faults);
+  const Image reference = reference_image();
+  std::vector<uint8_t> mask(reference.pixel_count(), 1);
+  EXPECT_FALSE(measure_objective(Objective::penumbra, technique_image(0.1f), reference, mask, true));
+}
+
+}  // namespace
+}  // namespace umbrameter
