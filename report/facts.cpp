@@ -2,6 +2,7 @@
 #include "report/facts.h"
 
 #include "core/html.h"
+#include "study/causes/causes_format.h"
 #include "study/diagnosis_format.h"
 #include "study/format.h"
 #include "study/judgement_format.h"
@@ -51,6 +52,7 @@ std::string error_lines(const TechniqueResult& run) {
 std::string diagnosis_lines(const TechniqueResult& run) {
   if (!run.diagnosis) return {};
   return term_lines(penumbra_lines(*run.diagnosis)) + term_lines(fault_lines(*run.diagnosis)) +
+         (run.fault_causes ? term_lines(substitution_lines(*run.fault_causes)) : "") +
          term_lines(cause_lines(*run.diagnosis));
 }
 
