@@ -23,13 +23,13 @@ constexpr std::array<Substitution, 11> kSubstitutions = {{
     {"filter_half", filter_size, 0.5, "a filter half as wide", "the filter is too wide", 1.0},
     {"filter_double", filter_size, 2.0, "a filter twice as wide", "the filter is too narrow", 2.0},
     {"filter_fourfold", filter_size, 4.0, "a filter four times as wide", "the filter is too narrow", 4.0},
-    {"taps_fourfold", taps, 4.0, "four times as many taps", "the taps are too few", 4.0},
+    {"taps_fourfold", taps, 4.0, "a fourfold number of taps", "the taps are too few", 4.0},
     {"map_fourfold", map_size, 4.0, "a map four times as large", "the map's texels are too coarse", 16.0},
     {"fit_scene", map_fit, 1.0, "a map of the whole scene", "the map's fit leaves casters or receivers out",
      1.0},
     {"blocker_truth", blocker_distance, 1.0, "the truth's blocker distance",
      "the search does not find the blockers' true distance", 1.0},
-    {"light_points", light_points, 1.0, "maps from 16 points of the light",
+    {"light_points", light_points, 1.0, "a mean over maps from 16 points of the light",
      "one map from the light's centre does not see what its other points see", 16.0},
 }};
 
@@ -105,24 +105,27 @@ bool scale_numbers(const SubstitutedRun& run, double factor, const IsPart& is_pa
   return is_changed;
 }
 
-/// The largest power of two up to `factor` with which the run's textures stay small enough.
-double affordable(double factor, uint64_t memory_bytes) {
-  while (factor > 1.0 &&
-         factor * factor * static_cast<double>(memory_bytes) > static_cast<double>(kMostMemory_bytes))
-    factor /= 2.0;
+/// The largest power of two up to `factor` with which the run's textures stay small enough, and sizes and lengths in texels
+/// within their ranges: a filter that cannot grow along would be another filter.
+double affordable(const SubstitutedRun& run, double factor) {
+  const auto fits = [&](double by) {
+    const bool fits_memory =
+        by * by * static_cast<double>(run.memory_bytes) <= static_cast<double>(kMostMemory_bytes);
+    return fits_memory && std::ranges::all_of(run.declared, [&](const Parameter& parameter) {
+             return !is_length_in_texels(parameter) ||
+                    by * number_of(parameter, run.parameters) <= parameter.max;
+           });
+  };
+  while (factor > 1.0 && !fits(factor)) factor /= 2.0;
   return factor;
 }
 
 /// Lengths in texels stay as long in the world.
-bool grow_map(const SubstitutedRun& run, double factor, Replacement& out) {
-  double least = affordable(factor, run.memory_bytes);
-  for (const Parameter& parameter : run.declared) {
-    if (!is_size_of_map(parameter)) continue;
-    least = std::min(least, parameter.max / number_of(parameter, run.parameters));
-  }
-  if (least <= 1.0 || !scale_numbers(run, least, is_size_of_map, out)) return false;
+bool grow_map(const SubstitutedRun& run, double wanted, Replacement& out) {
+  const double factor = affordable(run, wanted);
+  if (factor <= 1.0 || !scale_numbers(run, factor, is_size_of_map, out)) return false;
   scale_numbers(
-      run, least,
+      run, factor,
       [&](const Parameter& parameter) {
         return is_length_in_texels(parameter) && !is_size_of_map(parameter) &&
                number_of(parameter, run.parameters) != 0.0;

@@ -52,7 +52,7 @@ struct Replacement {
 };
 
 /// Absent where the run has nothing of the kind, or it is at its limit already. Maps grow by less where their textures
-/// would take more than 2 GiB.
+/// would take more than 2 GiB, or lengths in texels could not grow along.
 std::optional<Replacement> replace(const Substitution& substitution, const SubstitutedRun& run);
 
 }  // namespace umbrameter

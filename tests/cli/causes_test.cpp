@@ -63,6 +63,45 @@ TEST_F(Causes, AFilterTooWideIsMendedByANarrowerOne) {
   EXPECT_THAT(cause, testing::AnyOf("filter_quarter", "filter_half")) << causes.dump(1);
 }
 
+/// A plate near the light hides the box from its centre, and only from there: the search takes the plate for what shadows
+/// the floor beside the box.
+constexpr const char* kHiddenBox = R"(title = "Hidden box"
+[camera]
+eye = [1.2, 1.0, 1.6]
+at = [0.3, 0, 0]
+[[light]]
+type = "rect"
+center = [0, 4, 0]
+direction = [0, -1, 0]
+size = [2, 2]
+[[mesh]]
+shape = "plane"
+size = [6, 6]
+[[mesh]]
+shape = "plate"
+size = [0.5, 0.5]
+translate = [0, 3.5, 0]
+[[mesh]]
+shape = "box"
+size = [0.5, 0.8, 0.5]
+translate = [0, 0.4, 0]
+)";
+
+TEST_F(Causes, BlockersThatTheMapDoesNotSeeComeFromTheTruth) {
+  require_gl();
+  write("hidden_box.toml", kHiddenBox);
+  const json causes = by_substitution("hidden_box.toml", "pcss");
+  const json worst = causes.at("faults").at(0);
+  EXPECT_THAT(worst.at("cause").dump(), testing::AnyOf("\"blocker_truth\"", "\"light_points\""))
+      << causes.dump(1);
+  const size_t index = 0;
+  for (const json& outcome : causes.at("tried")) {
+    if (outcome.at("id") == "blocker_truth") {
+      EXPECT_GT(outcome.at("removed").at(index).get<double>(), 0.5) << causes.dump(1);
+    }
+  }
+}
+
 TEST_F(Causes, WhatNothingMendsIsSaidSo) {
   require_gl();
   // A plane projected onto itself casts shadows onto no other: nothing of its parameters can.

@@ -123,6 +123,8 @@ TEST(Substitutions, ALargerMapKeepsLengthsInTheWorld) {
 TEST(Substitutions, AMapGrowsAsFarAsItsRangeAndTheMemoryAllow) {
   EXPECT_EQ(whole(*replaced("map_fourfold", {{"map_size", int64_t{4096}}}), "map_size"), 8192);
   EXPECT_FALSE(replaced("map_fourfold", {{"map_size", int64_t{8192}}}));
+  EXPECT_EQ(whole(*replaced("map_fourfold", {{"radius_texels", 20.0}}), "map_size"), 4096);
+  EXPECT_FALSE(replaced("map_fourfold", {{"bias_texels", 20.0}}));
   SubstitutedRun heavy = run_with();
   heavy.memory_bytes = uint64_t{300} << 20;
   EXPECT_EQ(whole(*replace(*find_substitution("map_fourfold"), heavy), "map_size"), 4096);
