@@ -78,11 +78,13 @@ bool is_mended_by(RunPart part, const FaultCauses& causes, size_t index) {
   });
 }
 
-/// Where maps from elsewhere on the light mend it as well, the search is not at fault but its map.
+/// More taps would find what a sparse search misses, maps from elsewhere what the map does not hold.
 std::string_view meaning_of(const Substitution& substitution, const FaultCauses& causes, size_t index) {
-  const bool is_blind_map =
-      substitution.part == RunPart::blocker_distance && is_mended_by(RunPart::light_points, causes, index);
-  return is_blind_map ? "one map from the light's centre does not see these blockers" : substitution.meaning;
+  const bool is_of_map = substitution.part == RunPart::blocker_distance &&
+                         is_mended_by(RunPart::light_points, causes, index) &&
+                         !is_mended_by(RunPart::taps, causes, index);
+  return is_of_map ? "the search does not find these blockers in one map from the light's centre"
+                   : substitution.meaning;
 }
 
 std::string mended(const SubstitutionOutcome& outcome, const FaultCauses& causes, size_t index) {

@@ -2,6 +2,7 @@
 #include "study/causes/fault_causes.h"
 
 #include "core/error.h"
+#include "study/causes/substitutions.h"
 
 #include <algorithm>
 #include <array>
@@ -28,6 +29,22 @@ ErrorSums sums_by_class(const Image& image, const Image& reference, std::span<co
   for (size_t i = 0; i < classes.size(); ++i)
     sums[static_cast<size_t>(classes[i])] += std::abs(static_cast<double>(v[i]) - r[i]);
   return sums;
+}
+
+bool replaces_much(std::string_view id) {
+  const Substitution* substitution = find_substitution(id);
+  return substitution != nullptr && substitution->replaces_much;
+}
+
+const SubstitutionOutcome* best_of(std::span<const SubstitutionOutcome* const> outcomes, size_t index) {
+  double most = -HUGE_VAL;
+  for (const SubstitutionOutcome* outcome : outcomes) most = std::max(most, outcome->removed[index]);
+  const SubstitutionOutcome* best = nullptr;
+  for (const SubstitutionOutcome* outcome : outcomes) {
+    if (outcome->removed[index] < most - kAlike) continue;
+    if (best == nullptr || outcome->elsewhere < best->elsewhere) best = outcome;
+  }
+  return best;
 }
 
 size_t scored_pixels(std::span<const FaultClass> classes) {
@@ -67,16 +84,14 @@ void measure_substitution(const Image& substituted, const Image& test, const Ima
 }
 
 const SubstitutionOutcome* best_substitution(const FaultCauses& causes, size_t index) {
-  double most = -HUGE_VAL;
+  std::vector<const SubstitutionOutcome*> simple, all;
   for (const SubstitutionOutcome& outcome : causes.outcomes) {
-    if (!outcome.not_tried) most = std::max(most, outcome.removed[index]);
+    if (outcome.not_tried) continue;
+    all.push_back(&outcome);
+    if (!replaces_much(outcome.id)) simple.push_back(&outcome);
   }
-  const SubstitutionOutcome* best = nullptr;
-  for (const SubstitutionOutcome& outcome : causes.outcomes) {
-    if (outcome.not_tried || outcome.removed[index] < most - kAlike) continue;
-    if (best == nullptr || outcome.elsewhere < best->elsewhere) best = &outcome;
-  }
-  return best;
+  const SubstitutionOutcome* best = best_of(simple, index);
+  return best != nullptr && best->removed[index] >= kMends ? best : best_of(all, index);
 }
 
 const SubstitutionOutcome* cause_of(const FaultCauses& causes, size_t index) {

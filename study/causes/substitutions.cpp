@@ -30,7 +30,7 @@ constexpr std::array<Substitution, 11> kSubstitutions = {{
     {"blocker_truth", blocker_distance, 1.0, "the truth's blocker distance",
      "the search does not find the blockers' true distance", 1.0},
     {"light_points", light_points, 1.0, "a mean over maps from 16 points of the light",
-     "one map from the light's centre does not see what its other points see", 16.0},
+     "what holds for the light's centre does not hold for its other points", 16.0, true},
 }};
 
 bool is_number(const Parameter& parameter) {

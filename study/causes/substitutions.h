@@ -26,6 +26,8 @@ struct Substitution {
   std::string_view label;    // "bias 0": what is put instead
   std::string_view meaning;  // "the bias is too large": what it says where it mends a fault
   double draws = 1.0;        // how many of the run's own pictures it costs, about
+  bool replaces_much =
+      false;  // where the map stands, how many taps there are and how wide they lie, all at once
 };
 
 /// In the order they are tried.

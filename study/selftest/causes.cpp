@@ -11,11 +11,12 @@
 namespace umbrameter {
 namespace {
 
-/// The class whose part grew most.
+/// The class whose part grew most; the explained, too: a light of another size is wrong in widths, and widths are excused.
 std::optional<FaultClass> grown_fault(const FaultNumbers& wrong, const FaultNumbers& sound) {
   std::optional<FaultClass> grown;
   double most = 0.0;
-  for (const FaultClass fault : named_faults(wrong)) {
+  for (size_t k = static_cast<size_t>(FaultClass::explained); k < kFaultClasses; ++k) {
+    const auto fault = static_cast<FaultClass>(k);
     const double growth = wrong.of(fault).mean_abs_error - sound.of(fault).mean_abs_error;
     if (growth > most) grown = fault;
     most = std::max(most, growth);

@@ -267,6 +267,14 @@ TEST(FaultCauses, TheBestIsTheOneThatHarmsLeastAmongThoseAlike) {
   EXPECT_EQ(cause_of(causes, 0)->id, "map_fourfold");
 }
 
+TEST(FaultCauses, WhatReplacesMuchStandsBackWhereOneThingMends) {
+  const auto with_taps = [](double removed) {
+    return causes_with({{"taps_fourfold", {}, {}, {removed}, 0.0}, {"light_points", {}, {}, {0.9}, -0.1}});
+  };
+  EXPECT_EQ(cause_of(with_taps(0.6), 0)->id, "taps_fourfold");
+  EXPECT_EQ(cause_of(with_taps(0.4), 0)->id, "light_points");
+}
+
 TEST(FaultCauses, WhatMendsTooLittleIsNoCause) {
   const FaultCauses causes =
       causes_with({{"bias_zero", {}, {}, {0.12}, 0.0}, {"map_fourfold", {}, {}, {-2.0}, 0.0}});
@@ -286,9 +294,9 @@ TEST(CauseSentences, SayWhatMendsAndWhatDoesNot) {
   EXPECT_EQ(of(causes_with({{"bias_zero", {}, {}, {0.01}, 0.0},
                             {"blocker_truth", {}, {}, {0.91}, 0.0},
                             {"light_points", {}, {}, {0.85}, 0.3}})),
-            "peter panning 0.02800: no bias mends it; the truth's blocker distance removes 91 %: one map "
-            "from the light's "
-            "centre does not see these blockers");
+            "peter panning 0.02800: no bias mends it; the truth's blocker distance removes 91 %: the search "
+            "does not "
+            "find these blockers in one map from the light's centre");
   EXPECT_EQ(of(causes_with({{"bias_zero", {}, {}, {0.97}, 0.01}})),
             "peter panning 0.02800: bias 0 removes 97 % (and adds 0.01000 elsewhere): the bias is too large");
   EXPECT_EQ(of(causes_with({{"bias_zero", {}, {}, {0.2}, 0.0}})),
