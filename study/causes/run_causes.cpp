@@ -31,6 +31,12 @@ double scene_time_s(const SceneResult& scene, std::span<const TechniqueFrame> ru
   return sum_s;
 }
 
+/// The first picture's time holds compilation and the scene's way to the GPU, which are not needed again.
+double picture_time_s(const TechniqueResult& run) {
+  const auto frame = total_time(run.pass_times);
+  return frame ? 1e-3 * frame->median_ms : run.wall_time_s;
+}
+
 SubstitutedRun substituted(const SceneContext& context, const TechniqueFrame& run) {
   return {run.technique.declared, run.result.parameters, context.scene.light(),
           context.scene.bounds_world.diagonal(), run.result.memory_bytes};
@@ -86,7 +92,7 @@ void find_run_causes(const SceneContext& context, const Image& reference, const 
   const Clock::time_point start = Clock::now();
   context.progress.begin("causes", chosen.size());
   for (TechniqueFrame* run : chosen) {
-    const double needed_s = draws_of_causes(substituted(context, *run)) * run->result.wall_time_s;
+    const double needed_s = draws_of_causes(substituted(context, *run)) * picture_time_s(run->result);
     const bool is_too_dear =
         context.plan.causes == CausesWanted::automatic && seconds_since(start) + needed_s > allowed_s;
     FaultCauses causes;

@@ -24,7 +24,7 @@ constexpr std::array<Substitution, 11> kSubstitutions = {{
     {"filter_double", filter_size, 2.0, "a filter twice as wide", "the filter is too narrow", 2.0},
     {"filter_fourfold", filter_size, 4.0, "a filter four times as wide", "the filter is too narrow", 4.0},
     {"taps_fourfold", taps, 4.0, "a fourfold number of taps", "the taps are too few", 4.0},
-    {"map_fourfold", map_size, 4.0, "a map four times as large", "the map's texels are too coarse", 16.0},
+    {"map_fourfold", map_size, 4.0, "a map four times as large", "the map's texels are too coarse", 8.0},
     {"fit_scene", map_fit, 1.0, "a map of the whole scene", "the map's fit leaves casters or receivers out",
      1.0},
     {"blocker_truth", blocker_distance, 1.0, "the truth's blocker distance",
