@@ -5,26 +5,47 @@
 #include "cli/run_renderer.h"
 #include "core/data_folder.h"
 #include "core/error.h"
+#include "realtime/manifest/activity.h"
 #include "realtime/realtime.h"
 #include "scenes/choose_light.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <iterator>
 
 namespace umbrameter {
 namespace {
 
+constexpr const char* kEngineFamily = "engine";
+
+/// Under any light of the technique; none of an engine, which has no groups of parameters.
+std::vector<Parameter> acting_parameters(const Technique& technique, const ParameterValues& values) {
+  std::vector<Parameter> acting;
+  if (technique.family == kEngineFamily) return acting;
+  std::ranges::copy_if(technique.parameters, std::back_inserter(acting), [&](const Parameter& parameter) {
+    return std::ranges::any_of(technique.lights, [&](LightType type) {
+      Light light;
+      light.type = type;
+      return is_active(technique, parameter, values, light);
+    });
+  });
+  return acting;
+}
+
 TechniqueRun run_of(const Technique& technique, const std::string& request, const std::string& label,
                     const ParameterValues& overrides) {
+  const ParameterValues parameters = resolve_parameters(technique, overrides);
   return {.technique = request,
           .id = technique.id,
           .label = label,
           .title = technique.title,
           .hash = technique.hash,
-          .parameters = resolve_parameters(technique, overrides),
-          .lights = technique.lights};
+          .parameters = parameters,
+          .lights = technique.lights,
+          .declared = acting_parameters(technique, parameters)};
 }
 
 std::vector<std::string> split(const std::string& text, char separator) {
@@ -132,6 +153,12 @@ TechniqueRun choose_technique(const std::string& text, const std::vector<std::st
   return run_of(technique, request_text(id_or_path), label, parse_assignments(technique, all));
 }
 
+TechniqueRun technique_with(const std::string& id_or_path, const ParameterValues& parameters,
+                            const Home& home) {
+  const Technique technique = find_run(id_or_path, home);
+  return run_of(technique, request_text(id_or_path), technique.id, parameters);
+}
+
 std::vector<TechniqueRun> all_techniques(const Home& home) {
   std::vector<TechniqueRun> runs;
   for (const Technique& technique : list_techniques(home.techniques)) {
@@ -148,7 +175,7 @@ Technique find_run(const std::string& id_or_path, const Home& home) {
   technique.id = engine.id;
   technique.title = engine.title;
   technique.summary = engine.summary;
-  technique.family = "engine";
+  technique.family = kEngineFamily;
   technique.references = engine.references;
   technique.known_failures = engine.known_failures;
   for (const auto& [type, text] : engine.lights) technique.lights.push_back(type);

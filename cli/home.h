@@ -45,6 +45,10 @@ SceneJob load_scene_job(const std::string& name_or_path, const SceneSearch& sear
 TechniqueRun choose_technique(const std::string& text, const std::vector<std::string>& assignments,
                               const Home& home);
 
+/// The technique with these values; Error{input} likewise.
+TechniqueRun technique_with(const std::string& id_or_path, const ParameterValues& parameters,
+                            const Home& home);
+
 /// Every built-in technique at its defaults.
 std::vector<TechniqueRun> all_techniques(const Home& home);
 

@@ -73,6 +73,9 @@ int selftest(const SelftestOptions& options, const GlobalOptions& global) {
   settings.shaders_folder = home.shaders;
   settings.scratch_folder = staging.folder();
   settings.pictures_folder = global.out;
+  settings.describe_run = [&home](const TechniqueChoice& choice) {
+    return technique_with(choice.technique, choice.parameters, home);
+  };
   if (!global.out.empty()) create_folder(global.out);
   ProgressBar progress;
   const SelftestResults results = run_selftest(jobs, settings, {*reference, *other, *realtime}, progress);

@@ -40,6 +40,7 @@ struct ValidateOptions {
   std::string baseline;
   std::optional<double> limit_rmse;
   double min_scored = kMinScored;
+  std::string causes = "auto";
   bool temporal = false;
   bool maps = false;
   bool no_reuse = false;
@@ -146,6 +147,7 @@ ValidationPlan make_plan(const Quality& quality, std::vector<TechniqueRun> techn
   plan.baseline = options.baseline;
   plan.limit_rmse = options.limit_rmse;
   plan.maps = options.maps;
+  plan.causes = choose_causes(options.causes);
   plan.skip = !options.no_skip;
   return plan;
 }
@@ -296,6 +298,12 @@ void add_validate(CLI::App& app, CommandLine& line) {
       ->capture_default_str();
   verb->add_option("--metrics", options->metrics, kMetricsHelp);
   verb->add_flag("--maps", options->maps, kMapsHelp);
+  verb->add_option(
+          "--causes", options->causes,
+          "draw runs again with one thing replaced by the truth or its limit, and say what mends their "
+          "faults: none, auto (the three worst of a scene, where it takes less time than the scene), worst "
+          "(the three), all")
+      ->capture_default_str();
   add_light_option(*verb, line.global);
   add_quality_options(*verb, options->quality);
   verb->add_option("--frames", options->frames,

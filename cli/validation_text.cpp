@@ -2,6 +2,7 @@
 #include "cli/validation_text.h"
 
 #include "cli/console.h"
+#include "study/causes/causes_format.h"
 #include "study/diagnosis_format.h"
 #include "study/format.h"
 #include "study/judgement_format.h"
@@ -132,8 +133,43 @@ std::string findings(const Results& results) {
   return text;
 }
 
-std::string details(const Results& results) {
+/// What mends the faults, a line each.
+std::string causes(const Results& results) {
+  std::string text, first_reason;
+  size_t skipped = 0;
+  for (const SceneResult& scene : results.scenes) {
+    for (const TechniqueResult& run : scene.techniques) {
+      if (!run.fault_causes) continue;
+      for (const std::string& sentence : cause_sentences(*run.fault_causes))
+        text += fmt::format("{}, {}: {}\n", scene.name, run.label, sentence);
+      if (!run.fault_causes->skipped) continue;
+      if (skipped++ == 0)
+        first_reason = fmt::format("{}, {}: {}", scene.name, run.label, *run.fault_causes->skipped);
+    }
+  }
+  if (skipped == 0) return text;
+  return text + fmt::format("causes of {} {} not looked for ({})\n", skipped, skipped == 1 ? "run" : "runs",
+                            first_reason);
+}
+
+/// Every substitution of every run that has any.
+std::string cause_tables(const Results& results) {
   std::string text;
+  for (const SceneResult& scene : results.scenes) {
+    for (const TechniqueResult& run : scene.techniques) {
+      if (!run.fault_causes || run.fault_causes->skipped) continue;
+      std::vector<std::vector<std::string>> rows = cause_table(*run.fault_causes);
+      const std::vector<std::string> head = rows.front();
+      rows.erase(rows.begin());
+      text += fmt::format("{}, {}, removed of each fault:\n{}\n", scene.name, run.label,
+                          format_table(head, rows));
+    }
+  }
+  return text;
+}
+
+std::string details(const Results& results) {
+  std::string text = cause_tables(results);
   for (const SceneResult& scene : results.scenes) {
     if (scene.parity) text += fmt::format("{}: {}\n", scene.name, format_parity(*scene.parity));
     for (const TechniqueResult& run : scene.techniques) {
@@ -168,11 +204,11 @@ std::string work_line(const WorkDone& work) {
 }
 
 std::string validation_text(const Results& results, bool with_details) {
-  return fmt::format("quality {}, {} x {} px, {} samples per pixel, seed {}\n\n{}\n{}{}{}{}{}",
+  return fmt::format("quality {}, {} x {} px, {} samples per pixel, seed {}\n\n{}\n{}{}{}{}{}{}",
                      results.quality, results.picture.width_px, results.picture.height_px,
                      results.picture.samples_per_pixel, results.picture.seed, table(results),
-                     model_gaps(results), with_details ? details(results) : "", findings(results),
-                     warning_list(results), skip_list(results));
+                     model_gaps(results), causes(results), with_details ? details(results) : "",
+                     findings(results), warning_list(results), skip_list(results));
 }
 
 }  // namespace umbrameter

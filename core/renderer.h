@@ -22,6 +22,9 @@ struct RenderRequest {
   uint64_t seed = 1;
   std::string technique;       // technique id, or a path to its folder
   ParameterValues parameters;  // overrides; whatever is missing takes its default
+  /// The truth of this very picture. With it the technique takes blockers' distances from its planes blocker_offset.x/y/z
+  /// instead of looking for them; Error{input} where it looks for none. Not owned; the reference ignores it.
+  const Image* blocker_truth = nullptr;
 };
 
 /// What came out. Channels by renderer:
@@ -29,7 +32,7 @@ struct RenderRequest {
 ///   primitive_id (-1 = nothing hit), unshadowed_irradiance.
 /// reference: visibility, visibility_se, half_a, half_b, irradiance_ratio, irradiance_ratio_se, irradiance_half_a,
 ///   irradiance_half_b, sample_count, blocker_distance, blocker_distance_min, blocker_distance_p10, blocker_layers,
-///   penumbra_width, contact_distance.
+///   blocker_offset.x/y/z (from the receiver), penumbra_width, contact_distance.
 /// real time: visibility; where one map is drawn from the light's centre also texel.x/y (the point's place in
 ///   that map, in texels), texel_world (width of a texel facing the light there), maybe bias_world; 0 = no hit.
 struct Frame {

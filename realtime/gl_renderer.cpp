@@ -3,6 +3,7 @@
 
 #include "core/clock.h"
 #include "realtime/device_identity.h"
+#include "realtime/executor/blocker_truth.h"
 #include "realtime/executor/check_visibility.h"
 #include "realtime/executor/execute.h"
 #include "realtime/executor/inspect_plan.h"
@@ -69,6 +70,7 @@ struct GlRun {
   Plan plan;
   std::vector<std::string> left_out;
   std::optional<PassTimers> timers;
+  std::optional<Texture> blocker_truth;
 };
 
 /// What a run is made for: all that is timed or looked into is drawn.
@@ -217,8 +219,12 @@ class GlRenderer final : public Renderer {
                            picture.receiver_range,
                            picture.receiver_plane_world,
                            request.seed,
-                           settings_.shaders_folder};
+                           settings_.shaders_folder,
+                           request.blocker_truth != nullptr};
+    if (request.blocker_truth != nullptr)
+      run->blocker_truth = upload_blocker_truth(*request.blocker_truth, request.width_px, request.height_px);
     run->plan = make_plan(inputs, programs_);
+    if (run->blocker_truth) require_blocker_search(run->plan, declared.id);
     run->left_out = left_out(inputs, run->plan);
     if (use == Use::rendered && settings_.keep_textures) {
       run->contents = find_contents(run->plan, inputs, picture_key(scene, request));
@@ -236,6 +242,7 @@ class GlRenderer final : public Renderer {
   void draw_first(GlRun& run, Progress& progress) {
     progress.begin(run.technique.id, run.plan.steps.size());
     if (run.timers) run.timers->begin_frame();
+    if (run.blocker_truth) bind_texture(kBlockerTruthUnit, *run.blocker_truth, nearest_);
     draw_frame(run.plan, run.scene->buffers, empty_vertex_array_,
                {.timers = run.timers ? &*run.timers : nullptr, .progress = &progress});
     if (run.timers) run.timers->end_frame();
@@ -291,6 +298,7 @@ class GlRenderer final : public Renderer {
   ProgramCache programs_;
   GBufferRenderer gbuffer_renderer_;
   VertexArray empty_vertex_array_;
+  Sampler nearest_{SamplerSettings{}};
   std::optional<TimerKind> timer_;
   RecentlyUsed<SceneOnGpu> scenes_{kScenesBytes};  // runs share both
   RecentlyUsed<Picture> pictures_{kPicturesBytes};

@@ -99,6 +99,7 @@ struct Blocker {
   double height_world = 0.0;  // over the receiver's plane
   double penumbra_width_world = 0.0;
   int64_t layers = 0;
+  glm::dvec3 offset_world{0.0};  // from the receiver
 };
 
 BlockerStatistics statistics_of(std::vector<Blocker>& blockers) {
@@ -113,6 +114,7 @@ BlockerStatistics statistics_of(std::vector<Blocker>& blockers) {
     sum.distance_mean_world += blocker.distance_world / n;
     sum.layers_mean += static_cast<double>(blocker.layers) / n;
     sum.penumbra_width_world += blocker.penumbra_width_world / n;
+    sum.offset_mean_world += blocker.offset_world / n;
     sum.contact_distance_world = std::min(sum.contact_distance_world, blocker.height_world);
   }
   return sum;
@@ -141,7 +143,8 @@ BlockerStatistics probe_blockers(const ProbeJob& job, const SampleSets& sets, ui
     const glm::dvec3 way{ray.dir_x, ray.dir_y, ray.dir_z};
     const double length = glm::length(way);
     blockers.push_back({fraction * length, fraction * glm::dot(way, glm::dvec3(job.n_geometric_world)),
-                        penumbra_width(job.light, fraction, length), count_layers(context.crossings)});
+                        penumbra_width(job.light, fraction, length), count_layers(context.crossings),
+                        fraction * way});
   }
   return statistics_of(blockers);
 }

@@ -18,6 +18,7 @@ struct BlockerStatistics {
   double layers_mean = 0.0;
   double penumbra_width_world = 0.0;
   double contact_distance_world = 0.0;
+  glm::dvec3 offset_mean_world{0.0};  // from the receiver
 };
 
 /// The receiver's place and normal, and the light as seen from there.

@@ -40,13 +40,15 @@ struct ReferenceSettings {
 //       unshadowed_irradiance() of scenes/light.h: per unit radiance; sun: per unit irradiance at normal incidence.
 //   sample_count
 //       Samples taken, also those that only judged when to stop; 0 where visibility is proven, unless skip_proven is off.
-//   blocker_distance, blocker_distance_min, blocker_distance_p10, blocker_layers, penumbra_width, contact_distance
+//   blocker_distance, blocker_distance_min, blocker_distance_p10, blocker_layers, penumbra_width, contact_distance,
+//   blocker_offset.x/y/z
 //       From 16 further rays, where visibility < 1; 0 when none of them is blocked. Mean, least and 10th-percentile (nearest
 //       rank) distance (world) from the receiver to the first surface on a blocked ray; mean number of layers on a blocked
 //       ray: its surfaces wound towards the light or those wound away, whichever are more, so that a solid is one layer as
 //       a sheet is. Surfaces closer than 1e-6 of their distance count once. Mean width (world) that the penumbra has across
 //       the rays, by similar triangles from the first surface and the light's width (diameter; of a rectangle the root of
 //       its area). Least height (world) of a first surface over the receiver's plane: 0 where a blocker stands on it.
+//       Mean way (world) from the receiver to the first surface: its length along any axis is the mean of that axis' distances.
 // Background: visibility, irradiance_ratio and their halves are 1, primitive_id -1, everything else 0.
 
 /// Independently scrambled Sobol sets per pixel: 4 make half A, 4 make half B; their spread gives the

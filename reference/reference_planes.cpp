@@ -27,6 +27,7 @@ ReferencePlanes::ReferencePlanes(Image& image, bool with_blockers)
   blocker_layers_ = image.add_plane("blocker_layers");
   penumbra_width_ = image.add_plane("penumbra_width");
   contact_distance_ = image.add_plane("contact_distance");
+  blocker_offset_ = add_vector(image, "blocker_offset");
 }
 
 ReferencePlanes::Vector ReferencePlanes::add_vector(Image& image, const std::string& name) {
@@ -69,6 +70,7 @@ void ReferencePlanes::write_blockers(size_t pixel, const BlockerStatistics& bloc
   penumbra_width_[pixel] = static_cast<float>(blockers.penumbra_width_world);
   contact_distance_[pixel] = static_cast<float>(blockers.contact_distance_world);
   blocker_layers_[pixel] = static_cast<float>(blockers.layers_mean);
+  blocker_offset_.write(pixel, blockers.offset_mean_world);
 }
 
 }  // namespace umbrameter

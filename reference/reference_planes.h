@@ -39,6 +39,7 @@ class ReferencePlanes {
   Plane irradiance_ratio_, irradiance_ratio_se_, irradiance_half_a_, irradiance_half_b_, sample_count_;
   Plane blocker_distance_, blocker_distance_min_, blocker_distance_p10_, blocker_layers_;
   Plane penumbra_width_, contact_distance_;
+  Vector blocker_offset_;
 };
 
 }  // namespace umbrameter

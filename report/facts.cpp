@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/facts.h"
 
+#include "study/causes/causes_format.h"
 #include "study/diagnosis_format.h"
 #include "study/format.h"
 #include "study/judgement_format.h"
@@ -43,6 +44,7 @@ void append_diagnosis(TermLines& lines, const TechniqueResult& run) {
   if (!run.diagnosis) return;
   append(lines, penumbra_lines(*run.diagnosis));
   append(lines, fault_lines(*run.diagnosis));
+  if (run.fault_causes) append(lines, substitution_lines(*run.fault_causes));
   append(lines, cause_lines(*run.diagnosis));
 }
 

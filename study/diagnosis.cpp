@@ -3,6 +3,8 @@
 
 #include "metrics/texel_footprint.h"
 
+#include <algorithm>
+#include <functional>
 #include <numeric>
 
 namespace umbrameter {
@@ -54,6 +56,20 @@ std::optional<FaultClass> worst_fault(const FaultNumbers& faults) {
     worst = fault;
   }
   return worst;
+}
+
+std::vector<FaultClass> named_faults(const FaultNumbers& faults) {
+  std::vector<FaultClass> named;
+  const auto part_of = [&](FaultClass fault) { return faults.of(fault).mean_abs_error; };
+  for (size_t k = 0; k < kFaultClasses; ++k) {
+    const auto fault = static_cast<FaultClass>(k);
+    const double part = part_of(fault);
+    if (is_fault(fault) && part > 0.0 && part >= kNamedShare * faults.mean_abs_error.value_or(0.0))
+      named.push_back(fault);
+  }
+  std::ranges::stable_sort(named, std::ranges::greater{}, part_of);
+  if (const auto worst = worst_fault(faults); named.empty() && worst) named.push_back(*worst);
+  return named;
 }
 
 DiagnosedImage diagnose(const Image& test, const Image& reference, std::span<const uint8_t> mask) {

@@ -56,6 +56,12 @@ struct DiagnosedImage {
   std::vector<PenumbraProfile> profiles;
 };
 
+/// Of the mean absolute error: a class with a smaller part is not named.
+inline constexpr double kNamedShare = 0.1;
+
+/// Classes with that part or more, the largest first; the worst where none has; nothing without any.
+std::vector<FaultClass> named_faults(const FaultNumbers& faults);
+
 /// The class with the largest part of the mean absolute error, a wrong softness among them; not what is explained.
 /// Absent without any.
 std::optional<FaultClass> worst_fault(const FaultNumbers& faults);

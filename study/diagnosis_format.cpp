@@ -67,8 +67,6 @@ double coarse_part(const ErrorCauses& causes) {
   return part;
 }
 
-constexpr double kNamedShare = 0.1;  // of the mean absolute error
-
 struct FaultPart {
   FaultClass fault;
   double part = 0.0;  // of the mean absolute error

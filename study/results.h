@@ -8,6 +8,7 @@
 #include "metrics/parity.h"
 #include "metrics/temporal.h"
 #include "metrics/visibility_error.h"
+#include "study/causes/fault_causes.h"
 #include "study/diagnosis.h"
 #include "study/frame_times.h"
 #include "study/judgement.h"
@@ -92,6 +93,7 @@ struct TechniqueResult {
   std::optional<Diagnosis> diagnosis;       // absent without `error`, and when a warning says why
   std::optional<TemporalNumbers> temporal;  // when asked for
   std::optional<Similarity> similarity;     // when asked for
+  std::optional<FaultCauses> fault_causes;  // when asked for, and only of the worst runs unless of all
   double clipped_share = 0.0;               // of scored pixels, beyond the error picture's scale
   std::vector<PassTime> pass_times;
   std::string timer;

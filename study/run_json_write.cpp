@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "study/causes/causes_json.h"
 #include "study/diagnosis_json.h"
 #include "study/json_optional.h"
 #include "study/json_parts.h"
@@ -74,6 +75,7 @@ Json technique_json(const TechniqueResult& run) {
             {"fault_picture_file", run.fault_picture_file}};
   add_judgement(run.judgement, json);
   add_diagnosis(run.diagnosis, json);
+  if (run.fault_causes) json["causes"]["by_substitution"] = fault_causes_json(run.fault_causes);
   json["temporal"] = temporal_json(run.temporal);
   json["similarity"] = similarity_json(run.similarity);
   json["maps_file"] = run.maps_file;

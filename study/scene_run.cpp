@@ -42,15 +42,6 @@ void save_visibility(const SceneContext& context, const Image& image, ReferenceR
   save_picture(context, result.picture_file, visibility_picture(image));
 }
 
-/// Of a run that was scored by another process.
-void require_picture(const SceneContext& context, const Image& reference, TechniqueFrame& run) {
-  if (!run.mask.empty()) return;
-  const glm::dvec3& eye = context.scene.camera.eye_world;
-  const double eye_world[3] = {eye.x, eye.y, eye.z};
-  run.frame.image = read_image(context.folder / run.result.image_file);
-  run.mask = scored_mask(compare_surfaces(run.frame.image, reference, eye_world), reference);
-}
-
 }  // namespace
 
 std::string image_path(const std::string& scene, const std::string& file) {
@@ -241,6 +232,14 @@ void score_techniques(const SceneContext& context, const Image& reference, std::
     }
     run.scoring_s = seconds_since(start);
   }
+}
+
+void require_picture(const SceneContext& context, const Image& reference, TechniqueFrame& run) {
+  if (!run.mask.empty()) return;
+  const glm::dvec3& eye = context.scene.camera.eye_world;
+  const double eye_world[3] = {eye.x, eye.y, eye.z};
+  run.frame.image = read_image(context.folder / run.result.image_file);
+  run.mask = scored_mask(compare_surfaces(run.frame.image, reference, eye_world), reference);
 }
 
 TechniqueFrame* baseline_of(const ValidationPlan& plan, std::span<TechniqueFrame> runs) {

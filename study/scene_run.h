@@ -56,6 +56,9 @@ void take_truth(const SceneContext& context, const Image& image, ReferenceResult
 void take_parity(const SceneContext& context, const Parity& parity, SceneResult& scene);
 void take_score(const SceneContext& context, const Image& reference, Score score, TechniqueFrame& run);
 
+/// Reads the picture of a run that was scored by another process.
+void require_picture(const SceneContext& context, const Image& reference, TechniqueFrame& run);
+
 /// The run that the others' verdicts compare with; null when verdicts are not wanted and when it has no score here.
 TechniqueFrame* baseline_of(const ValidationPlan& plan, std::span<TechniqueFrame> runs);
 

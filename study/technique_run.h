@@ -19,6 +19,8 @@ struct TechniqueRun {
   std::string hash;
   ParameterValues parameters;
   std::vector<LightType> lights;  // supported
+  /// Those that act with these values: what study/causes/ may replace. None for an engine.
+  std::vector<Parameter> declared = {};
 };
 
 /// The run's picture, of its own seed.

@@ -3,6 +3,7 @@
 
 #include "core/files.h"
 #include "core/version.h"
+#include "study/causes/run_causes.h"
 #include "study/guard.h"
 #include "study/renamed_progress.h"
 #include "study/savings.h"
@@ -80,6 +81,13 @@ bool recall_verdicts(const SceneWork& work, std::vector<TechniqueFrame>& runs) {
   return is_complete;
 }
 
+/// Sets all causes that are known; whether that is all that are wanted.
+bool recall_causes(const SceneWork& work, std::vector<TechniqueFrame>& runs) {
+  for (TechniqueFrame* run : runs_without_causes(work.plan, runs))
+    work.memory->recall_causes(work.plan, *run);
+  return runs_without_causes(work.plan, runs).empty();
+}
+
 /// Sets what is known; whether that is everything.
 bool recall(const SceneWork& work, SceneResult& scene, std::vector<TechniqueFrame>& runs,
             std::vector<Skip>& skipped) {
@@ -90,7 +98,8 @@ bool recall(const SceneWork& work, SceneResult& scene, std::vector<TechniqueFram
     return true;
   }
   const bool has_truth = scene.reference && !scene.reference->picture_file.empty() && scene.parity;
-  return recall_verdicts(work, runs) && has_truth && std::ranges::none_of(runs, is_missing);
+  const bool has_runs = recall_verdicts(work, runs) && std::ranges::none_of(runs, is_missing);
+  return has_truth && has_runs && recall_causes(work, runs);
 }
 
 void remember_verdicts(const SceneWork& work, std::vector<TechniqueFrame>& runs) {
@@ -130,9 +139,12 @@ void measure(const SceneWork& work, SceneResult& scene, std::vector<TechniqueFra
   if (work.memory != nullptr) recall_verdicts(work, runs);
   compare_with_baseline(context, reference, runs);
   if (work.plan.temporal_frames > 0) measure_sequences(context, reference, runs);
+  if (work.memory != nullptr) recall_causes(work, runs);
+  find_run_causes(context, reference, scene, runs);
   if (work.memory == nullptr) return;
   work.memory->remember(work.source, work.plan, work.folder, scene, runs);
   remember_verdicts(work, runs);
+  for (const TechniqueFrame& run : runs) work.memory->remember_causes(run);
 }
 
 void count(const SceneResult& scene, WorkDone& work) {

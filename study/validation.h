@@ -5,6 +5,7 @@
 
 #include "core/renderer.h"
 #include "scenes/scene.h"
+#include "study/causes/causes_wanted.h"
 #include "study/metric_choice.h"
 #include "study/results.h"
 #include "study/technique_run.h"
@@ -52,7 +53,8 @@ struct ValidationPlan {
   std::string baseline;
   std::optional<double> limit_rmse;
   bool maps = false;  // also an EXR of study/maps.h a run
-  bool skip = true;   // what a scene does not need; off: everything is rendered and scored
+  CausesWanted causes = CausesWanted::none;
+  bool skip = true;  // what a scene does not need; off: everything is rendered and scored
 };
 
 struct Renderers {

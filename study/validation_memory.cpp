@@ -3,6 +3,7 @@
 
 #include "core/hash.h"
 #include "core/version.h"
+#include "study/causes/causes_json.h"
 #include "study/json_parts.h"
 #include "study/judgement_json.h"
 #include "study/metadata.h"
@@ -137,6 +138,7 @@ void ValidationMemory::put_run(const std::string& reference, const SceneSource& 
                    {}};
   record.parity->picture_file.clear();  // stands in its own entry
   record.result.judgement.verdict.reset();
+  record.result.fault_causes.reset();  // the same
   store_.store().put({run.key, EntryKind::run, to_json_text(record)});
 }
 
@@ -170,6 +172,18 @@ void ValidationMemory::remember_verdict(const TechniqueFrame& baseline, const Te
   Json json;
   add_judgement({.significance = {}, .verdict = run.result.judgement.verdict, .limit = {}}, json);
   store_.store().put({verdict_key(run.key, baseline.key), EntryKind::verdict, json.dump()});
+}
+
+void ValidationMemory::recall_causes(const ValidationPlan& plan, TechniqueFrame& run) {
+  auto known = read_json(find(causes_key(run.key)), read_fault_causes);
+  if (known && (!known->skipped || plan.causes == CausesWanted::automatic))
+    run.result.fault_causes = std::move(known);
+}
+
+void ValidationMemory::remember_causes(const TechniqueFrame& run) {
+  if (!run.result.fault_causes) return;
+  store_.store().put(
+      {causes_key(run.key), EntryKind::verdict, fault_causes_json(run.result.fault_causes).dump()});
 }
 
 bool ValidationMemory::is_unlit(const SceneSource& source, const ValidationPlan& plan) {

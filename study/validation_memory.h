@@ -30,6 +30,11 @@ class ValidationMemory {
   bool recall_verdict(const TechniqueFrame& baseline, TechniqueFrame& run);
   void remember_verdict(const TechniqueFrame& baseline, const TechniqueFrame& run);
 
+  /// Sets the causes of `run` where they are known. Those skipped as too dear are not where the plan asks for them anyhow.
+  void recall_causes(const ValidationPlan& plan, TechniqueFrame& run);
+  /// Does nothing for a run without causes.
+  void remember_causes(const TechniqueFrame& run);
+
   /// Whether the light is known to reach nothing in the picture.
   bool is_unlit(const SceneSource& source, const ValidationPlan& plan);
   void remember_unlit(const SceneSource& source, const ValidationPlan& plan);

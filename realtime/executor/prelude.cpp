@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "realtime/executor/prelude.h"
 
+#include "realtime/executor/blocker_truth.h"
 #include "realtime/harness/frame_uniforms.h"
 #include "realtime/harness/objects.h"
 #include "realtime/manifest/names.h"
@@ -132,6 +133,12 @@ std::string outputs(const PreludeInputs& inputs) {
   return text;
 }
 
+std::string blocker_truth(const PreludeInputs& inputs) {
+  if (!inputs.takes_blocker_truth) return {};
+  return fmt::format("#define BLOCKER_FROM_TRUTH\nlayout(binding = {}) uniform sampler2D blocker_truth;\n",
+                     kBlockerTruthUnit);
+}
+
 }  // namespace
 
 std::string vertex_prelude(const PreludeInputs& inputs) {
@@ -140,7 +147,7 @@ std::string vertex_prelude(const PreludeInputs& inputs) {
 }
 
 std::string fragment_prelude(const PreludeInputs& inputs) {
-  return vertex_prelude(inputs) + outputs(inputs);
+  return vertex_prelude(inputs) + outputs(inputs) + blocker_truth(inputs);
 }
 
 std::vector<std::string> pass_views(const PassDeclaration& pass) {

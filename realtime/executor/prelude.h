@@ -28,6 +28,7 @@ struct PreludeInputs {
   std::map<std::string, size_t> view_counts;  // of the views in pass.views
   /// Format of a resource or built-in that exists in this run, else null.
   std::function<const TextureFormat*(const std::string&)> format_of;
+  bool takes_blocker_truth = false;  // realtime/executor/blocker_truth.h
 };
 
 /// Before a vertex shader, and (with the outputs) before a fragment shader.

@@ -110,6 +110,7 @@ std::shared_ptr<const Program> compile(const PassDeclaration& pass, const std::f
     const Target* target = targets.find(name);
     return target == nullptr ? nullptr : &target->texture->format();
   };
+  prelude.takes_blocker_truth = inputs.takes_blocker_truth;
   const std::string vertex_holes = has_holes ? cutout_vertex_prelude() : "";
   const std::string fragment_holes = has_holes ? cutout_fragment_prelude() : "";
   std::vector<ShaderFile> stages = {{ShaderStage::vertex, vertex, vertex_prelude(prelude) + vertex_holes}};

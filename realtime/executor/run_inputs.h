@@ -30,6 +30,7 @@ struct RunInputs {
   glm::dvec4 receiver_plane_world{0, 1, 0, 0};
   uint64_t seed = 1;
   std::filesystem::path shaders_folder;
+  bool takes_blocker_truth = false;  // RenderRequest::blocker_truth
 };
 
 /// Parameters, choices, built-in variables and the technique's own values: what expressions may use outside loops.

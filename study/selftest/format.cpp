@@ -135,6 +135,15 @@ std::string recall_by_scene(const SelftestResults& results, const SelftestRound&
                   [](const MaskOutcome& mask) { return ratio_text(mask.recall()); });
 }
 
+std::string cause_list(const SelftestResults& results) {
+  std::string text;
+  for (const CauseOutcome& outcome : results.causes)
+    text += fmt::format("- {}{}\n", text_of(outcome), outcome.is_right() ? "" : " (wrong)");
+  return text.empty() ? text
+                      : text + fmt::format("\n{} of {} substitutions point at what was put in\n",
+                                           results.right_causes(), results.causes.size());
+}
+
 OrderedJson verdict_json(const GateVerdict& verdict) {
   OrderedJson measures = OrderedJson::array();
   for (const GateMeasure& m : verdict.measures) {
@@ -160,7 +169,7 @@ std::string selftest_markdown(const SelftestResults& results) {
     if (!results.faults.empty()) text += fault_matrix(results, round) + "\n";
     text += benign_matrix(results, round) + "\n" + recall_by_scene(results, round) + "\n";
   }
-  text += mask_table(results) + "\n";
+  text += mask_table(results) + "\n" + cause_list(results);
   if (const BenignOutcome* nearest = results.nearest_benign()) {
     text += fmt::format("nearest benign trial: {} of {} ({}), {:.2f} of its limit\n", nearest->name,
                         nearest->scene, text_of(nearest->round), worst_severity(nearest->verdict));
@@ -202,13 +211,24 @@ std::string selftest_json(const SelftestResults& results) {
                      {"precision", optional_json(mask.precision())},
                      {"recall", optional_json(mask.recall())}});
   }
+  OrderedJson causes = OrderedJson::array();
+  for (const CauseOutcome& outcome : results.causes) {
+    causes.push_back({{"fault", outcome.name},
+                      {"scene", outcome.scene},
+                      {"class", outcome.fault ? OrderedJson(name_of(*outcome.fault)) : OrderedJson(nullptr)},
+                      {"best", outcome.best},
+                      {"removed", outcome.removed},
+                      {"right", outcome.is_right()}});
+  }
   const OrderedJson object = {{"passes", results.passes()},
                               {"found", results.found()},
                               {"right", results.right()},
                               {"false_alarms", results.false_alarms()},
                               {"faults", faults},
                               {"benign", benign},
-                              {"masks", masks}};
+                              {"masks", masks},
+                              {"right_causes", results.right_causes()},
+                              {"causes", causes}};
   return object.dump(2);
 }
 

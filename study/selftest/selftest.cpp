@@ -107,6 +107,10 @@ size_t SelftestResults::false_alarms() const {
       std::ranges::count_if(benign, [](const BenignOutcome& o) { return !o.verdict.passes(); }));
 }
 
+size_t SelftestResults::right_causes() const {
+  return static_cast<size_t>(std::ranges::count_if(causes, &CauseOutcome::is_right));
+}
+
 const BenignOutcome* SelftestResults::nearest_benign() const {
   const auto nearest =
       std::ranges::max_element(benign, {}, [](const BenignOutcome& o) { return worst_severity(o.verdict); });
@@ -129,9 +133,22 @@ bool SelftestResults::passes(const SelftestTargets& targets) const {
   const bool masks_pass = std::ranges::all_of(masks_over_scenes(), [&](const MaskOutcome& mask) {
     return mask.precision().value_or(0.0) >= targets.mask && mask.recall().value_or(0.0) >= targets.mask;
   });
-  return !benign.empty() && found() == faults.size() && false_alarms() == 0 && masks_pass &&
+  const bool causes_pass =
+      static_cast<double>(right_causes()) >= targets.cause * static_cast<double>(causes.size());
+  return causes_pass && !benign.empty() && found() == faults.size() && false_alarms() == 0 && masks_pass &&
          static_cast<double>(right()) >= targets.right * static_cast<double>(faults.size());
 }
+
+namespace {
+
+void try_causes(Stage& stage, std::vector<CauseOutcome>& outcomes) {
+  if (stage.settings().benign_only || !stage.settings().describe_run) return;
+  for (const CauseCase& fault : cause_list()) {
+    if (fault.scene == stage.name()) outcomes.push_back(try_cause(fault, stage));
+  }
+}
+
+}  // namespace
 
 SelftestResults run_selftest(std::span<const SceneJob> jobs, const SelftestSettings& settings,
                              SelftestRenderers renderers, Progress& progress) {
@@ -157,6 +174,7 @@ SelftestResults run_selftest(std::span<const SceneJob> jobs, const SelftestSetti
         results.faults.push_back({fault.name, fault.scene, round, fault.origin, fault.right,
                                   judge_and_keep(fault.name, fault.make(stage), stage)});
       }
+      if (round == settings.rounds.front()) try_causes(stage, results.causes);
       progress.advance(1);
     }
   }

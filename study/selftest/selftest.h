@@ -3,6 +3,7 @@
 // The tester tested: known faults in pictures, techniques, references and metrics, which the gate must find and name, and
 // benign variants, which it must let pass (docs/selftest.md).
 
+#include "study/selftest/causes.h"
 #include "study/selftest/fault_list.h"
 
 #include <cstddef>
@@ -42,18 +43,20 @@ struct MaskOutcome {
 struct SelftestTargets {
   double right = 0.95;  // share of faults
   double mask = 0.95;   // precision and recall
+  double cause = 0.95;  // share of faults whose cause can be undone
 };
 
 struct SelftestResults {
   size_t scenes = 0;
   std::vector<FaultOutcome> faults;
   std::vector<BenignOutcome> benign;
-  std::vector<MaskOutcome> masks;  // of scenes with a place for them
+  std::vector<MaskOutcome> masks;    // of scenes with a place for them
+  std::vector<CauseOutcome> causes;  // of the first round
   /// The benign trial that came nearest to a limit; null without any.
   const BenignOutcome* nearest_benign() const;
   /// Sums over scenes and rounds, one a mask; `scene` is empty.
   std::vector<MaskOutcome> masks_over_scenes() const;
-  size_t found() const, right() const, false_alarms() const;
+  size_t found() const, right() const, false_alarms() const, right_causes() const;
   bool passes(const SelftestTargets& targets = {}) const;
 };
 

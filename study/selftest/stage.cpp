@@ -28,6 +28,9 @@ constexpr std::array kShadowChannels = {"visibility",
                                         "blocker_distance",
                                         "blocker_distance_min",
                                         "blocker_layers",
+                                        "blocker_offset.x",
+                                        "blocker_offset.y",
+                                        "blocker_offset.z",
                                         "texel.x",
                                         "texel.y",
                                         "texel_world",
@@ -103,13 +106,15 @@ std::string Stage::key_of(const std::string& what) const {
   return fmt::format("{} {}", seed_, what);
 }
 
-Image Stage::render(Renderer& renderer, const Scene& scene, uint64_t seed, const TechniqueChoice& choice) {
+Image Stage::render(Renderer& renderer, const Scene& scene, uint64_t seed, const TechniqueChoice& choice,
+                    const Image* blocker_truth) {
   RenderRequest request;
   request.width_px = round_.width_px;
   request.height_px = round_.height_px;
   request.seed = seed;
   request.technique = choice.technique;
   request.parameters = choice.parameters;
+  request.blocker_truth = blocker_truth;
   return renderer.render(scene, request, progress_).image;
 }
 
@@ -161,6 +166,10 @@ const Examined& Stage::examined(const TechniqueChoice& choice) {
 
 Image Stage::picture_of_shadows(const TechniqueChoice& choice, const Scene& changed) {
   return with_shadows_of(render(renderers_.realtime, changed, seed_, choice), picture(choice), eye_world());
+}
+
+Image Stage::picture_of(const TechniqueChoice& choice, const Scene& changed, const Image* blocker_truth) {
+  return render(renderers_.realtime, changed, seed_, choice, blocker_truth);
 }
 
 }  // namespace umbrameter

@@ -6,6 +6,7 @@
 #include "study/metric_probe.h"
 #include "study/validation.h"
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -29,17 +30,19 @@ struct SelftestRound {
 /// "320 x 180 px, seed 1".
 std::string text_of(const SelftestRound& round);
 
+struct TechniqueChoice {
+  std::string technique;  // id or folder
+  ParameterValues parameters;
+};
+
 struct SelftestSettings {
   std::vector<SelftestRound> rounds = {SelftestRound{}};
   bool benign_only = false;                                 // and masks, but no faults
   std::filesystem::path techniques_folder, shaders_folder;  // to make mutants from
   std::filesystem::path scratch_folder;                     // where mutants go
   std::filesystem::path pictures_folder;                    // of what was judged; empty: none are kept
-};
-
-struct TechniqueChoice {
-  std::string technique;  // id or folder
-  ParameterValues parameters;
+  /// What a choice is, with all its parameters and those that may be replaced; empty: no causes are tried.
+  std::function<TechniqueRun(const TechniqueChoice&)> describe_run;
 };
 
 /// `parameters` over those of `choice`.
@@ -86,10 +89,13 @@ class Stage {
   Image picture(const TechniqueChoice& choice, uint64_t seed);
   /// The shadows that `choice` draws of a changed scene, on the surfaces of this one.
   Image picture_of_shadows(const TechniqueChoice& choice, const Scene& changed);
+  /// What `choice` draws of a changed scene, on its own surfaces; `blocker_truth` as RenderRequest's.
+  Image picture_of(const TechniqueChoice& choice, const Scene& changed, const Image* blocker_truth = nullptr);
 
  private:
   std::string key_of(const std::string& what) const;
-  Image render(Renderer& renderer, const Scene& scene, uint64_t seed, const TechniqueChoice& choice);
+  Image render(Renderer& renderer, const Scene& scene, uint64_t seed, const TechniqueChoice& choice,
+               const Image* blocker_truth = nullptr);
 
   SceneJob job_;
   SelftestSettings settings_;

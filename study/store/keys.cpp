@@ -69,6 +69,10 @@ std::string verdict_key(const std::string& run, const std::string& baseline) {
   return Hasher().text("verdict").text(run).text(baseline).hex();
 }
 
+std::string causes_key(const std::string& run) {
+  return Hasher().text("causes").text(run).hex();
+}
+
 std::string hash_folder(const std::filesystem::path& folder) {
   std::map<std::string, std::filesystem::path> by_name;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {

@@ -40,6 +40,9 @@ std::string validated_run_key(const std::string& run, const ValidationPlan& plan
 /// Of a verdict between two runs, by their keys.
 std::string verdict_key(const std::string& run, const std::string& baseline);
 
+/// Of what mends a run's faults, by its validated_run_key().
+std::string causes_key(const std::string& run);
+
 /// Names and bytes of every file below; places do not count.
 std::string hash_folder(const std::filesystem::path& folder);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The mean distance of what blocks a receiver's view of the light (Fernando 2005), for techniques with the parameters
 // of the group blocker_search. Reads the resource shadow_map, or its halved copy nearest_2 where there is one.
+#include "blocker_truth.glsl"
 #include "light_kernel.glsl"
 #include "penumbra.glsl"
 #include "shadow_map.glsl"
@@ -36,6 +37,14 @@ float search_texel_lateral() { return texel_lateral(view_light); }
 
 #endif
 
+#ifdef BLOCKER_FROM_TRUTH
+
+float mean_blocker_distance(AreaLight light, Receiver receiver, vec2 noise, float z_search) {
+  return true_blocker_distance(view_light, receiver);
+}
+
+#else
+
 /// Blockers between `z_search` and the receiver. Their mean distance, or the receiver's own for none.
 float mean_blocker_distance(AreaLight light, Receiver receiver, vec2 noise, float z_search) {
   if (is_behind(view_light, receiver) || z_search >= receiver.p_light.z) return receiver.p_light.z;
@@ -64,3 +73,5 @@ float mean_blocker_distance(AreaLight light, Receiver receiver, vec2 noise, floa
   if (count == 0.0) return receiver.p_light.z;
   return is_harmonic ? count / sum : sum / count;
 }
+
+#endif

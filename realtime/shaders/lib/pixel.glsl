@@ -19,6 +19,9 @@ bool fetch_receiver_at(ivec2 px, out Receiver receiver) {
   vec4 position = texelFetch(gbuffer_position, px, 0);
   vec3 n_world = texelFetch(gbuffer_normal, px, 0).xyz;
   receiver = make_receiver(view_light, position.xyz, n_world, bias_of_parameters());
+#ifdef BLOCKER_FROM_TRUTH
+  receiver.px = px;
+#endif
   return position.w != 0.0;
 }
 

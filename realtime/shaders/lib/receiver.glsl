@@ -31,6 +31,9 @@ struct Receiver {
   float slope;           // tangent of the light's incidence, limited
   float plane_distance;  // dot(n_light, p_light)
   TapBias taps;
+#ifdef BLOCKER_FROM_TRUTH
+  ivec2 px;  // GL's rows
+#endif
 };
 
 // A plane seen nearly edge-on meets the next texel's ray far in front of every blocker: followed without limit it

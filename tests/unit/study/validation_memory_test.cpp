@@ -60,6 +60,80 @@ TEST_F(Memory, TheSameQuestionRendersNothingAndHasTheSameAnswer) {
       std::filesystem::exists(folder_.path() / "out" / second.scenes[0].techniques[1].fault_picture_file));
 }
 
+/// A run whose bias can be taken away, as a manifest declares it.
+TechniqueRun biased(const std::string& id) {
+  Parameter bias;
+  bias.name = "bias_texels";
+  bias.group = "bias";
+  bias.unit = "texels";
+  bias.default_value = 1.0;
+  bias.max = 32.0;
+  TechniqueRun run = fake_technique(id);
+  run.hash = "hash of " + id;
+  run.declared = {bias};
+  run.parameters = {{"bias_texels", 1.0}};
+  return run;
+}
+
+TEST_F(Memory, CausesAreFoundOnceAndKept) {
+  ValidationPlan plan = fake_plan({biased("off"), technique("exact")});
+  validate(plan);
+  rendered();
+  plan.causes = CausesWanted::worst;
+  const Results first = validate(plan);
+  EXPECT_EQ(rendered(), 2u);  // no bias, ten times the bias
+  const auto& causes = first.scenes[0].techniques[0].fault_causes;
+  ASSERT_TRUE(causes && !causes->skipped);
+  ASSERT_EQ(causes->outcomes.size(), 2u);
+  EXPECT_EQ(causes->outcomes[0].removed[0], 0.0);  // "off" is wrong whatever its bias
+  EXPECT_FALSE(first.scenes[0].techniques[1].fault_causes);
+  const Results second = validate(plan);
+  EXPECT_EQ(rendered(), 0u);
+  EXPECT_EQ(to_json_text(second), to_json_text(first));
+  plan.causes = CausesWanted::none;
+  EXPECT_FALSE(validate(plan).scenes[0].techniques[0].fault_causes);
+  EXPECT_EQ(rendered(), 0u);
+}
+
+TEST_F(Memory, CausesThatCostMoreThanTheSceneAreLeftOutUnlessAskedFor) {
+  TechniqueRun run = biased("off");
+  run.declared.push_back(run.declared.front());
+  run.declared.back().name = "radius_texels";
+  run.declared.back().group = "filter";
+  run.parameters["radius_texels"] = 2.0;
+  ValidationPlan plan = fake_plan({run});
+  plan.causes = CausesWanted::automatic;
+  const Results skipped = validate(plan);
+  ASSERT_TRUE(skipped.scenes[0].techniques[0].fault_causes);
+  EXPECT_THAT(skipped.scenes[0].techniques[0].fault_causes->skipped.value_or(""),
+              HasSubstr("--causes worst"));
+  rendered();
+  validate(plan);
+  EXPECT_EQ(rendered(), 0u);  // the decision is kept, too
+  plan.causes = CausesWanted::worst;
+  EXPECT_FALSE(validate(plan).scenes[0].techniques[0].fault_causes->skipped);
+  EXPECT_EQ(rendered(), 6u);  // and a filter of four other widths
+}
+
+TEST_F(Memory, CausesAreOfTheThreeWorstUnlessOfAll) {
+  std::vector<TechniqueRun> runs;
+  for (int k = 0; k < 5; ++k) {
+    runs.push_back(biased("off"));
+    runs.back().label = "off " + std::to_string(k);
+    runs.back().hash += std::to_string(k);
+  }
+  ValidationPlan plan = fake_plan(runs);
+  const auto with_causes = [&](CausesWanted wanted) {
+    plan.causes = wanted;
+    const Results results = validate(plan);
+    return std::ranges::count_if(results.scenes[0].techniques,
+                                 [](const TechniqueResult& run) { return run.fault_causes.has_value(); });
+  };
+  EXPECT_EQ(with_causes(CausesWanted::worst), 3);
+  EXPECT_EQ(with_causes(CausesWanted::all), 5);
+  EXPECT_EQ(with_causes(CausesWanted::none), 0);
+}
+
 TEST_F(Memory, WhateverChangesANumberIsAnotherQuestion) {
   const ValidationPlan plan = fake_plan({technique("off")});
   validate(plan);
