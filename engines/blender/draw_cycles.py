@@ -2,13 +2,14 @@
 """Cycles: light alone, no bounces."""
 NAME = "Cycles"
 DEVICE = "CPU"
+SAMPLES = "samples"
 
 
 def set_up(scene, body, light, values, seed):
     scene.render.engine = "CYCLES"
     settings = scene.cycles
     settings.device = "CPU"
-    settings.samples = values["samples"]
+    set_samples(scene, values[SAMPLES])
     settings.seed = seed % (1 << 31)
     settings.use_adaptive_sampling = False
     settings.use_denoising = False
@@ -19,6 +20,10 @@ def set_up(scene, body, light, values, seed):
     # Both move shadows away from where smooth normals say that they begin.
     body.cycles.shadow_terminator_offset = 0.0
     body.cycles.shadow_terminator_geometry_offset = 0.0
+
+
+def set_samples(scene, count):
+    scene.cycles.samples = count
 
 
 def set_shadow(light, casts):

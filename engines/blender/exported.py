@@ -3,6 +3,7 @@
 import math
 
 import bpy
+import surfaces
 from mathutils import Matrix, Vector
 
 
@@ -54,7 +55,7 @@ def add_body(mesh, material):
     return add("scene", data, Matrix.Identity(4))
 
 
-def add_camera(camera, vertices):
+def add_camera(camera, extent):
     eye, at, up = (Vector(camera[key]) for key in ("eye_world", "at_world", "up_world"))
     back = (eye - at).normalized()
     right = up.cross(back).normalized()
@@ -62,7 +63,7 @@ def add_camera(camera, vertices):
     data.sensor_fit = "VERTICAL"
     data.angle = math.radians(camera["vertical_fov_deg"])
     data.clip_start = camera["near_world"]
-    data.clip_end = 1.01 * max((Vector(vertex) - eye).length for vertex in vertices)
+    data.clip_end = 1.01 * extent
     bpy.context.scene.camera = add("camera", data, columns(right, back.cross(right), back, eye))
 
 
@@ -88,17 +89,26 @@ def add_light(light):
     return data
 
 
-def set_up_picture(width, height):
-    """No world, no filter wider than a hundredth of a pixel, no curve."""
+def build(mesh, description):
+    """The one scene there is, anew: the body, the light's data, and Blender's scene with its camera. No world and no curve."""
+    clear()
+    vertices = mesh[0]
+    eye = Vector(description["camera"]["eye_world"])
+    extent = max((Vector(vertex) - eye).length for vertex in vertices)
+    body = add_body(mesh, surfaces.white(eye, extent))
+    add_camera(description["camera"], extent)
+    light = add_light(description["light"])
     scene = bpy.context.scene
     scene.world = None
+    scene.view_settings.view_transform = "Raw"
+    return body, light, scene
+
+
+def set_size(scene, width, height):
     render = scene.render
     render.resolution_x, render.resolution_y = width, height
     render.resolution_percentage = 100
     render.film_transparent = True
-    render.use_file_extension = True
     render.image_settings.file_format = "OPEN_EXR"
     render.image_settings.color_depth = "32"
     render.image_settings.color_mode = "RGBA"
-    scene.view_settings.view_transform = "Raw"
-    return scene

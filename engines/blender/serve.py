@@ -16,6 +16,7 @@ import draw_cycles
 import draw_eevee
 import exported
 import pictures
+import surfaces
 
 ENGINES = {"cycles": draw_cycles, "eevee": draw_eevee}
 
@@ -33,18 +34,22 @@ class Server:
     def render(self, request):
         folder, out = pathlib.Path(request["scene"]), pathlib.Path(request["out"])
         description = json.loads((folder / "scene.json").read_text(encoding="utf-8"))
-        exported.clear()
-        mesh = self.mesh_of(folder, description)
-        body = exported.add_body(mesh, pictures.white_with_normal())
-        exported.add_camera(description["camera"], mesh[0])
-        light = exported.add_light(description["light"])
-        scene = exported.set_up_picture(request["width_px"], request["height_px"])
-        self.engine.set_up(scene, body, light, request["parameters"], request["seed"])
-        answer = {"warnings": []}
+        body, light, scene = exported.build(self.mesh_of(folder, description), description)
+        exported.set_size(scene, request["width_px"], request["height_px"])
+        values = request["parameters"]
+        self.engine.set_up(scene, body, light, values, request["seed"])
+
+        eye = scene.camera.matrix_world.translation
+        self.engine.set_samples(scene, 1)
+        picture, *aovs = pictures.draw(scene, out, ("Image", *surfaces.AOVS))
+        drawn = surfaces.from_aovs(eye, picture[:, :, 3] > 0.5, *aovs)
+        self.engine.set_samples(scene, values[self.engine.SAMPLES])
         for name, casts in (("lit", True), ("unlit", False)):
             self.engine.set_shadow(light, casts)
-            answer.update(pictures.render(scene, out, name))
-        return answer
+            [drawn[name]] = pictures.draw(scene, out)
+        for name, pixels in drawn.items():
+            pictures.write_pfm(out / f"{name}.pfm", pixels)
+        return {"warnings": [], **{name: f"{name}.pfm" for name in drawn}}
 
 
 def main():

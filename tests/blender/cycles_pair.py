@@ -15,19 +15,14 @@ import bpy
 
 import draw_cycles
 import exported
-import pictures
 
 
 def main():
     export, out, width, height, samples = sys.argv[sys.argv.index("--") + 1:]
     folder = pathlib.Path(export)
     description = json.loads((folder / "scene.json").read_text(encoding="utf-8"))
-    mesh = exported.read_mesh(folder / "scene.obj")
-    exported.clear()
-    body = exported.add_body(mesh, pictures.white_with_normal())
-    exported.add_camera(description["camera"], mesh[0])
-    light = exported.add_light(description["light"])
-    scene = exported.set_up_picture(int(width), int(height))
+    body, light, scene = exported.build(exported.read_mesh(folder / "scene.obj"), description)
+    exported.set_size(scene, int(width), int(height))
     draw_cycles.set_up(scene, body, light, {"samples": int(samples)}, 1)
     for name, casts in (("lit", True), ("unlit", False)):
         draw_cycles.set_shadow(light, casts)
