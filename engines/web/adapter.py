@@ -65,7 +65,7 @@ class Page:
     def render(self, request):
         self.server.readable["scene"] = pathlib.Path(request["scene"])
         self.server.writable = {"out": pathlib.Path(request["out"])}
-        plain = {key: request[key] for key in ("width_px", "height_px", "seed", "parameters")}
+        plain = {key: value for key, value in request.items() if key not in ("protocol", "id", "scene", "out")}
         answer = self.browser.evaluate(f"umbrameterRender({json.dumps(plain)})")
         answer.setdefault("warnings", []).extend(sorted(set(self.browser.console()))[:8])
         return answer
