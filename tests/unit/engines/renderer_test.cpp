@@ -219,12 +219,13 @@ TEST_F(EngineRendererTest, CutOutsAreRefused) {
       testing::ThrowsMessage<Error>(HasSubstr("gets no cut-outs: 1 of 1 triangles have holes")));
 }
 
-TEST_F(EngineRendererTest, IrradianceIsNotTakenForVisibility) {
+TEST_F(EngineRendererTest, APictureOfIrradianceSaysSo) {
   std::string manifest = test_engine_manifest();
   manifest.replace(manifest.find("\"visibility\""), 12, "\"irradiance\"");
   folder_.write("engine.toml", manifest);
-  EXPECT_THAT([&] { render(); },
-              testing::ThrowsMessage<Error>(HasSubstr("draws irradiance, and runs are compared")));
+  const Frame frame = render();
+  EXPECT_EQ(frame.image.metadata.at("quantity"), "irradiance");
+  EXPECT_THAT(frame.warnings, testing::Contains(HasSubstr("compared as irradiance ratio S")));
 }
 
 TEST_F(EngineRendererTest, LightsThatAreNotSupportedAreRefused) {
