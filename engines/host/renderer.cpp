@@ -180,8 +180,9 @@ class EngineRenderer final : public Renderer {
                   int timed_frames, Progress& progress) {
     if (open.engine.form == EngineForm::pictures)
       return {find_pictures(open.engine, values_of(scene, request)), {open.engine.title, {}, false}};
-    const EngineRequest question{requests_, scenes_.folder_of(scene, request.width_px, request.height_px),
-                                 out, &request, timed_frames, kTimedSeconds};
+    const EngineRequest question{requests_,    scenes_.folder_of(scene, request.width_px, request.height_px),
+                                 out,          &request,
+                                 timed_frames, kTimedSeconds};
     if (open.engine.form == EngineForm::command)
       return {run_command(open, scene, question, progress), {open.engine.title, {}, false}};
     if (!open.adapter) start(open, progress);
