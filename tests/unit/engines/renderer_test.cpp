@@ -41,6 +41,15 @@ class EngineRendererTest : public testing::Test {
                               .parameters = {{"misbehave", misbehave}, {"shadow.grey", grey}}},
                              progress_);
   }
+  PreparedRun prepare(const std::string& misbehave = "no") {
+    static const Scene scene = triangle();
+    return renderer().prepare(scene,
+                              {.width_px = 7,
+                               .height_px = 5,
+                               .technique = "tried",
+                               .parameters = {{"misbehave", misbehave}, {"shadow.grey", 0.5}}},
+                              progress_);
+  }
   /// The error's kind and words; the next request must work again.
   std::pair<ErrorKind, std::string> failure(const std::string& misbehave) {
     std::pair<ErrorKind, std::string> found{ErrorKind::internal, "no error"};
@@ -217,6 +226,18 @@ TEST_F(EngineRendererTest, CutOutsAreRefused) {
                           progress_);
       },
       testing::ThrowsMessage<Error>(HasSubstr("gets no cut-outs: 1 of 1 triangles have holes")));
+}
+
+TEST_F(EngineRendererTest, FramesAreTimedByTheEngineAndAskedForAgain) {
+  const PreparedRun run = prepare();
+  ASSERT_TRUE(run.time_frame);
+  EXPECT_EQ(run.timer, "a clock");
+  EXPECT_THAT(run.passes, testing::ElementsAre("frame"));
+  for (int i = 0; i < 7; ++i) EXPECT_THAT(run.time_frame(), testing::ElementsAre(2.5)) << i;
+}
+
+TEST_F(EngineRendererTest, TimesThatAreNoneAreAnError) {
+  EXPECT_THAT([&] { prepare("no_times"); }, testing::ThrowsMessage<Error>(HasSubstr("not times of frames")));
 }
 
 TEST_F(EngineRendererTest, APictureOfIrradianceSaysSo) {
