@@ -80,11 +80,12 @@ ParameterValues parse_assignments(const Technique& technique, const std::vector<
   return values;
 }
 
-/// A path to a folder is passed on as an absolute path, an id as it is.
+/// A path to a folder or a picture is passed on as an absolute path, an id as it is.
 std::string request_text(const std::string& id_or_path) {
   const bool is_folder =
       id_or_path.find('/') != std::string::npos && std::filesystem::is_directory(id_or_path);
-  return is_folder ? std::filesystem::absolute(id_or_path).string() : id_or_path;
+  return is_folder || is_picture_path(id_or_path) ? std::filesystem::absolute(id_or_path).string()
+                                                  : id_or_path;
 }
 
 /// What scripts/install_engines.sh wrote.
@@ -168,9 +169,9 @@ std::vector<TechniqueRun> all_techniques(const Home& home) {
 }
 
 Technique find_run(const std::string& id_or_path, const Home& home) {
-  const std::filesystem::path folder = find_engine_folder(id_or_path, home.engines);
-  if (folder.empty()) return find_technique(id_or_path, home.techniques);
-  const Engine engine = load_engine(folder, home.engines);
+  const std::optional<Engine> found = find_engine(id_or_path, home.engines);
+  if (!found) return find_technique(id_or_path, home.techniques);
+  const Engine& engine = *found;
   Technique technique;
   technique.id = engine.id;
   technique.title = engine.title;

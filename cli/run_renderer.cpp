@@ -89,6 +89,7 @@ void take_surfaces(const Scene& scene, const Image& ours, Frame& frame) {
   image.planes["visibility"] = std::move(frame.image.planes.at("visibility"));
   const std::span<float> known = image.add_plane("known");
   for (size_t i = 0; i < known.size(); ++i) known[i] = parity.classes[i] == ParityClass::agrees ? 1.0f : 0.0f;
+  image.metadata = std::move(frame.image.metadata);
   image.metadata["engine_parity"] = parity_text(parity);
   if (const auto warning = unknown_warning(parity, image)) frame.warnings.push_back(*warning);
   frame.image = std::move(image);
@@ -97,31 +98,39 @@ void take_surfaces(const Scene& scene, const Image& ours, Frame& frame) {
 }  // namespace
 
 bool RunRenderer::is_engine(const RenderRequest& request) const {
-  return !request.technique.empty() && !find_engine_folder(request.technique, places_).empty();
+  return !request.technique.empty() && names_engine(request.technique, places_);
 }
 
-Frame RunRenderer::render_engine(const Scene& scene, const RenderRequest& request, Progress& progress) {
+Renderer& RunRenderer::engines() {
   if (!engines_) {
     work_.emplace(std::filesystem::temp_directory_path() / "umbrameter-engines");
     engines_ = make_engine_renderer({places_, work_->folder()});
   }
-  Frame frame = engines_->render(scene, request, progress);
+  return *engines_;
+}
+
+void RunRenderer::compare_with_ours(const Scene& scene, const RenderRequest& request, Frame& frame,
+                                    Progress& progress) {
   RenderRequest plain = request;
   plain.technique.clear();
   plain.parameters.clear();
   const Frame ours = gl_->render(scene, plain, progress);
   complete(ours.image, frame);
   take_surfaces(scene, ours.image, frame);
-  return frame;
 }
 
 Frame RunRenderer::render(const Scene& scene, const RenderRequest& request, Progress& progress) {
-  return is_engine(request) ? render_engine(scene, request, progress) : gl_->render(scene, request, progress);
+  if (!is_engine(request)) return gl_->render(scene, request, progress);
+  Frame frame = engines().render(scene, request, progress);
+  compare_with_ours(scene, request, frame, progress);
+  return frame;
 }
 
 PreparedRun RunRenderer::prepare(const Scene& scene, const RenderRequest& request, Progress& progress) {
   if (!is_engine(request)) return gl_->prepare(scene, request, progress);
-  return {render_engine(scene, request, progress), {}, {}, {}};
+  PreparedRun run = engines().prepare(scene, request, progress);
+  compare_with_ours(scene, request, run.frame, progress);
+  return run;
 }
 
 std::string run_identity(const Renderer& renderer) {

@@ -26,7 +26,8 @@ class RunRenderer final : public Renderer {
 
  private:
   bool is_engine(const RenderRequest& request) const;
-  Frame render_engine(const Scene& scene, const RenderRequest& request, Progress& progress);
+  Renderer& engines();
+  void compare_with_ours(const Scene& scene, const RenderRequest& request, Frame& frame, Progress& progress);
 
   std::unique_ptr<Renderer> gl_;
   EnginePlaces places_;

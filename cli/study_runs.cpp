@@ -24,6 +24,13 @@ std::string beside(const std::filesystem::path& study_file, const std::string& n
   return std::filesystem::exists(place) ? std::filesystem::absolute(place).string() : name;
 }
 
+std::string picture_beside(const std::filesystem::path& study_file, const StudyRun& run) {
+  if (!is_picture_path(run.technique))
+    fail_input(fmt::format("'{}' is no picture of floats", run.technique), run.where,
+               "name an EXR, HDR or PFM file; {name} in it stands for the scene's name");
+  return (std::filesystem::absolute(study_file).parent_path() / run.technique).lexically_normal().string();
+}
+
 ParameterValue read_value(const Technique& technique, const std::string& name, const TomlNode& node) {
   if (name.starts_with(kStagePrefix) && node.type == TomlNode::Type::text) return node.text;
   std::vector<std::string> known;
@@ -87,7 +94,7 @@ std::vector<BenchRun> choose_study_runs(const StudyFile& study, const std::files
   std::vector<TechniqueRun> runs;
   std::vector<RunCost> costs;
   for (const StudyRun& run : study.runs) {
-    const std::string request = beside(file, run.technique);
+    const std::string request = run.is_picture ? picture_beside(file, run) : beside(file, run.technique);
     if (!techniques.contains(request)) techniques[request] = find_run(request, home);
     runs.push_back(choose_run(run, request, techniques[request]));
     costs.push_back({run.label, compares_per_pixel(techniques[request], runs.back().parameters)});

@@ -63,6 +63,7 @@ TunePlan make_plan(const TuneOptions& options, const Home& home) {
   plan.technique = choose_technique(options.technique, {}, home);
   const Technique technique = find_run(plan.technique.technique, home);
   plan.parameters = technique.parameters;
+  plan.is_engine = names_engine(plan.technique.technique, home.engines);
   for (const Preset& preset : technique.presets) plan.presets.push_back({preset.name, preset.values});
   plan.tuned = options.parameters;
   plan.objective = choose_objective(options.objective);

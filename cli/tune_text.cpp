@@ -64,11 +64,15 @@ struct EndWords {
 };
 constexpr EndWords kBiasWords{"there is acne at any bias", "shadows are detached at any bias", "acne",
                               "detached shadows"};
+constexpr EndWords kFallingBiasWords{"shadows are detached at any bias", "there is acne at any bias",
+                                     "detached shadows", "acne"};
 constexpr EndWords kSizeWords{"penumbrae are too hard at any size", "penumbrae are too soft at any size",
                               "too hard", "too soft"};
 
 std::string window_text(const SafeWindow& window, double texel_world) {
-  const EndWords& words = window.kind == WindowKind::bias ? kBiasWords : kSizeWords;
+  const EndWords& words = window.kind != WindowKind::bias ? kSizeWords
+                          : window.falls                  ? kFallingBiasWords
+                                                          : kBiasWords;
   if (!window.is_complete) return "not measured, the time was up";
   if (window.points.empty()) return "not measured, no picture has what it is measured by";
   if (!window.from) return fmt::format("empty, {}", words.always_too_low);

@@ -1,13 +1,29 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# install_engines.sh [FOLDER]: installs the web engines, by the versions and checksums of engines/package-lock.json, into FOLDER, which
-# UMBRAMETER_ENGINES must name then, or into engines/installed/ (ignored by git).
-# Needs npm. The engines' own install scripts are not run. docs/engines.md says what each adapter needs beside.
+# install_engines.sh [FOLDER]: installs the engines that have adapters under engines/, by pinned version.
+# The web engines, by the versions and checksums of engines/package-lock.json, go into FOLDER, which UMBRAMETER_ENGINES must name
+# then, or into engines/installed/ (ignored by git); their own install scripts are not run. Needs npm.
+# Chromium, Blender and Xvfb are Debian packages, and need root or sudo. docs/engines.md says what each adapter needs.
 set -euo pipefail
+blender_version=3.4.1
 target=$(realpath -m "${1:-$(dirname "$0")/../engines/installed}")
 cd "$(dirname "$0")/../engines"
 command -v npm > /dev/null || { echo "install_engines.sh: npm is not there" >&2; exit 3; }
 mkdir -p "$target"
 cp package.json package-lock.json "$target/"
 npm ci --prefix "$target" --ignore-scripts --no-audit --no-fund
-command -v chromium > /dev/null || { echo "install_engines.sh: chromium is not there; scripts/install_packages.sh installs it" >&2; exit 3; }
+
+wanted=()
+command -v chromium > /dev/null || wanted+=(chromium)
+command -v Xvfb > /dev/null || wanted+=(xvfb)
+dpkg-query -W python3-numpy > /dev/null 2>&1 || wanted+=(python3-numpy)  # for Blender, which comes without
+[[ $(dpkg-query -W -f='${Version}' blender 2> /dev/null) == "$blender_version"* ]] || wanted+=("blender=$blender_version*")
+[ ${#wanted[@]} -eq 0 ] && exit 0
+as_root=()
+if [ "$(id -u)" -ne 0 ]; then
+  command -v sudo > /dev/null || { echo "install_engines.sh: run as root, or install these yourself: ${wanted[*]}" >&2; exit 3; }
+  as_root=(sudo)
+fi
+export DEBIAN_FRONTEND=noninteractive
+"${as_root[@]}" apt-get update -qq
+"${as_root[@]}" apt-get install -y -qq --no-install-recommends "${wanted[@]}" > /dev/null

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/judgement.h"
 
+#include "study/shadow_quantity.h"
+
 namespace umbrameter {
 namespace {
 
@@ -33,6 +35,13 @@ std::optional<RunVerdict> judge_against(const ScoredImage& candidate, const Scor
   if (!verdict) return std::nullopt;
   return RunVerdict{baseline_name, verdict->outcome, verdict->mse_difference,
                     more_samples(verdict->sample_factor, reference, both)};
+}
+
+std::optional<RunVerdict> judge_runs(const ScoredImage& candidate, const ScoredImage& baseline,
+                                     const std::string& baseline_name, const Image& reference) {
+  if (quantity_of(candidate.image) != quantity_of(baseline.image)) return std::nullopt;
+  std::optional<Image> made;
+  return judge_against(candidate, baseline, baseline_name, truth_for(candidate.image, reference, made));
 }
 
 std::optional<LimitNumbers> judge_against(double limit_rmse, const VisibilityError& error,

@@ -56,6 +56,11 @@ struct ScoredImage {
 std::optional<RunVerdict> judge_against(const ScoredImage& candidate, const ScoredImage& baseline,
                                         const std::string& baseline_name, const Image& reference);
 
+/// The same of two runs' pictures, each of which says what it is (study/shadow_quantity.h), against `reference` as rendered.
+/// Absent, too, where they are of different quantities: their errors are not of one kind.
+std::optional<RunVerdict> judge_runs(const ScoredImage& candidate, const ScoredImage& baseline,
+                                     const std::string& baseline_name, const Image& reference);
+
 std::optional<LimitNumbers> judge_against(double limit_rmse, const VisibilityError& error,
                                           const Image& reference, std::span<const uint8_t> mask);
 

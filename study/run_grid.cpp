@@ -207,7 +207,10 @@ std::vector<StudyRun> expand_run(const TomlNode& table) {
   TomlReader reader(table, "[[run]]");
   StudyRun run;
   run.where = table.where;
-  run.technique = reader.text("technique");
+  run.is_picture = reader.has("picture");
+  if (run.is_picture && (reader.has("technique") || reader.has("values") || reader.has("preset")))
+    reader.fail("picture", "a finished picture has no technique, preset and values");
+  run.technique = reader.text(run.is_picture ? "picture" : "technique");
   run.label = reader.text("label", run.technique);
   run.preset = reader.text("preset", "");
   if (run.label.empty()) reader.fail("label", "the label is empty");

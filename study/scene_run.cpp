@@ -8,6 +8,7 @@
 #include "study/metadata.h"
 #include "study/pictures.h"
 #include "study/score.h"
+#include "study/shadow_quantity.h"
 #include "study/store/stored_truth.h"
 #include "study/sweep/record.h"
 #include "study/technique_result.h"
@@ -138,11 +139,15 @@ namespace {
 void score_technique(const SceneContext& context, const Image& reference, TechniqueFrame& run,
                      SharedTruth& shared) {
   Score score;
+  std::optional<Image> made;
+  const Image* truth = &reference;
   run.result.failure = guarded([&] {
-    score = score_image(run.frame.image, reference, context.scene.camera.eye_world,
-                        {context.plan.metrics, context.plan.limit_rmse, context.plan.maps}, &shared);
+    truth = &truth_for(run.frame.image, reference, made);
+    score = score_image(run.frame.image, *truth, context.scene.camera.eye_world,
+                        {context.plan.metrics, context.plan.limit_rmse, context.plan.maps},
+                        made ? nullptr : &shared);
   });
-  if (!run.result.failure) take_score(context, reference, std::move(score), run);
+  if (!run.result.failure) take_score(context, *truth, std::move(score), run);
 }
 
 /// A picture equal to that of `twin`, which is scored: its scores are the same, and so are its maps.
@@ -180,6 +185,7 @@ const TechniqueFrame* twin_of(const ValidationPlan& plan, const TechniqueFrame& 
                            other.result.diagnosis.has_value() == plan.metrics.diagnosis;
     const Image &one = run.frame.image, &two = other.frame.image;
     return is_scored && std::ranges::equal(one.plane("visibility"), two.plane("visibility")) &&
+           quantity_of(one) == quantity_of(two) &&
            one.planes == two.planes;  // where the map's texels lie counts, too
   });
   return found == earlier.end() ? nullptr : &*found;
@@ -263,8 +269,8 @@ void compare_with_baseline(const SceneContext& context, const Image& reference,
     require_picture(context, reference, *baseline);
     require_picture(context, reference, run);
     run.result.judgement.verdict =
-        judge_against({run.frame.image, run.mask}, {baseline->frame.image, baseline->mask},
-                      baseline->result.label, reference);
+        judge_runs({run.frame.image, run.mask}, {baseline->frame.image, baseline->mask},
+                   baseline->result.label, reference);
   }
 }
 

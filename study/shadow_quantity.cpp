@@ -11,6 +11,7 @@
 namespace umbrameter {
 namespace {
 
+constexpr const char* kQuantityKey = "quantity";
 constexpr std::array<const char*, 2> kNames = {"visibility", "irradiance"};
 constexpr std::array<std::pair<const char*, const char*>, 4> kIrradiance = {
     {{"irradiance_ratio", "visibility"},
@@ -29,6 +30,17 @@ ShadowQuantity parse_shadow_quantity(std::string_view text) {
 
 std::string_view to_text(ShadowQuantity quantity) {
   return kNames[static_cast<size_t>(quantity)];
+}
+
+ShadowQuantity quantity_of(const Image& picture) {
+  const auto found = picture.metadata.find(kQuantityKey);
+  return found == picture.metadata.end() ? ShadowQuantity::visibility : parse_shadow_quantity(found->second);
+}
+
+const Image& truth_for(const Image& picture, const Image& reference, std::optional<Image>& made) {
+  const ShadowQuantity quantity = quantity_of(picture);
+  if (quantity == ShadowQuantity::visibility) return reference;
+  return made.emplace(with_quantity(reference, quantity));
 }
 
 Image with_quantity(Image reference, ShadowQuantity quantity) {

@@ -18,8 +18,9 @@ namespace umbrameter {
 
 /// One point of a `[[run]]` table's grid.
 struct StudyRun {
-  std::string label;  // unique in the study
-  std::string technique;
+  std::string label;      // unique in the study
+  std::string technique;  // or the path of a finished picture, relative to the study's folder
+  bool is_picture = false;
   std::string preset;                                    // empty = the defaults
   std::vector<std::pair<std::string, TomlNode>> values;  // one value a parameter, not yet checked
   FileLocation where;

@@ -3,6 +3,7 @@
 import {farPlane, nearPlane} from "../web/camera.mjs";
 import {nearestLight} from "../web/light.mjs";
 import {loadScript} from "../web/script.mjs";
+import {timeFrames} from "../web/timer.mjs";
 
 let BABYLON, engine;
 
@@ -137,7 +138,8 @@ async function draw(scene, target, body, material) {
   return target.readPixels();
 }
 
-export async function render({width_px: width, height_px: height, parameters: values, scene: description, mesh}) {
+export async function render(request) {
+  const {width_px: width, height_px: height, parameters: values, scene: description, mesh} = request;
   const scene = new BABYLON.Scene(engine);
   try {
     scene.useRightHandedSystem = true;
@@ -157,7 +159,8 @@ export async function render({width_px: width, height_px: height, parameters: va
     const unlit = await draw(scene, target, body, white);
     shadowOf(light, body, values);
     const lit = await draw(scene, target, body, white);
-    return {lit, unlit, position, normal, warnings: []};
+    const times = await timeFrames(engine._gl, request, () => scene.render());
+    return {lit, unlit, position, normal, ...times};
   } finally {
     scene.dispose();
   }

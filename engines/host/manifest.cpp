@@ -20,6 +20,7 @@ namespace fs = std::filesystem;
 constexpr const char* kManifestName = "engine.toml";
 constexpr uint64_t kMebibyte = uint64_t{1} << 20;
 constexpr std::array kLightTypes = {LightType::rect, LightType::disk, LightType::sphere, LightType::sun};
+constexpr std::array<std::string_view, 3> kPictureEndings = {".exr", ".hdr", ".pfm"};  // that hold floats
 constexpr std::array<const char*, 4> kFileKeys = {"picture", "lit", "unlit", "surfaces"};
 
 std::map<LightType, std::string> read_lights(TomlReader& reader) {
@@ -175,6 +176,41 @@ std::vector<fs::path> engine_folders(const fs::path& engines) {
   return folders;
 }
 
+/// Changes with any picture of the folder that may be meant.
+std::string hash_of_pictures(const fs::path& pattern) {
+  Hasher hasher;
+  hasher.text(pattern.filename().string());
+  std::vector<fs::path> files;
+  if (fs::is_directory(pattern.parent_path())) {
+    for (const auto& entry : fs::directory_iterator(pattern.parent_path())) {
+      if (entry.is_regular_file() && entry.path().extension() == pattern.extension())
+        files.push_back(entry.path());
+    }
+  }
+  const bool has_placeholder = pattern.filename().string().find('{') != std::string::npos;
+  if (!has_placeholder) files = {pattern};
+  std::ranges::sort(files);
+  for (const fs::path& file : files) {
+    if (fs::is_regular_file(file)) hash_file(file, file.filename().string(), hasher);
+  }
+  return hasher.hex();
+}
+
+Engine pictures_of(const fs::path& pattern) {
+  const std::string name = pattern.filename().string();
+  check_placeholders(name, placeholders_of(EngineForm::pictures), {});
+  Engine engine;
+  engine.id = pattern.stem().string();
+  engine.title = name;
+  engine.summary = "A finished picture.";
+  engine.folder = pattern.parent_path();
+  engine.form = EngineForm::pictures;
+  engine.files = {{"picture", name}, {"surfaces", name}};
+  for (const LightType type : kLightTypes) engine.lights[type] = "whatever the picture shows";
+  engine.hash = hash_of_pictures(pattern);
+  return engine;
+}
+
 }  // namespace
 
 std::string_view to_text(EngineForm form) {
@@ -242,6 +278,22 @@ fs::path find_engine_folder(const std::string& id_or_path, const EnginePlaces& p
     return places.engines / id_or_path;
   if (fs::is_regular_file(fs::path(id_or_path) / kManifestName)) return id_or_path;
   return {};
+}
+
+bool is_picture_path(const std::string& text) {
+  const std::string ending = fs::path(text).extension().string();
+  return std::ranges::find(kPictureEndings, ending) != kPictureEndings.end();
+}
+
+bool names_engine(const std::string& text, const EnginePlaces& places) {
+  return is_picture_path(text) || !find_engine_folder(text, places).empty();
+}
+
+std::optional<Engine> find_engine(const std::string& text, const EnginePlaces& places) {
+  if (is_picture_path(text)) return pictures_of(fs::absolute(text).lexically_normal());
+  const fs::path folder = find_engine_folder(text, places);
+  if (folder.empty()) return std::nullopt;
+  return load_engine(folder, places);
 }
 
 void require_installed(const Engine& engine) {

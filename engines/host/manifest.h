@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -69,6 +70,15 @@ std::vector<Engine> list_engines(const EnginePlaces& places);
 
 /// The folder of an id under `places.engines`, or of a path to a folder with an engine.toml; empty when there is none.
 std::filesystem::path find_engine_folder(const std::string& id_or_path, const EnginePlaces& places);
+
+/// A finished picture as a run: the path of an EXR, HDR or PFM file, in which {name} stands for the scene's name.
+bool is_picture_path(const std::string& text);
+
+/// Whether find_engine() has an answer, without reading anything.
+bool names_engine(const std::string& text, const EnginePlaces& places);
+
+/// The engine of an id, of a folder, or of finished pictures; absent when `text` names none.
+std::optional<Engine> find_engine(const std::string& text, const EnginePlaces& places);
 
 /// Error{environment} naming what is missing and how to install it.
 void require_installed(const Engine& engine);

@@ -3,6 +3,7 @@
 
 #include "core/error.h"
 #include "core/image_io.h"
+#include "engines/host/manifest.h"
 
 #include <fmt/format.h>
 
@@ -20,10 +21,9 @@ constexpr std::array kAxes = {"x", "y", "z"};
 constexpr float kDark = 1e-4f;
 /// A ratio may exceed 1 by so much through rounding.
 constexpr float kRounding = 1e-3f;
-constexpr std::array<const char*, 3> kFloatFormats = {".exr", ".hdr", ".pfm"};
 
 Image read_checked(const fs::path& file, int width_px, int height_px) {
-  if (std::ranges::find(kFloatFormats, file.extension()) == kFloatFormats.end())
+  if (!is_picture_path(file.string()))
     fail_environment(
         fmt::format("'{}' has no floats: pictures of engines are EXR, HDR or PFM", file.filename().string()));
   Image image;

@@ -60,6 +60,16 @@ fs::path file_in(const fs::path& folder, const Json& name, const std::string& li
   return folder / file;
 }
 
+std::vector<double> times_of(const Json& times, const std::string& line) {
+  if (!times.is_array()) fail_garbage(line, "times of frames");
+  std::vector<double> frame_ms;
+  for (const Json& time : times) {
+    if (!time.is_number() || !(time.get<double>() >= 0.0)) fail_garbage(line, "times of frames");
+    frame_ms.push_back(time.get<double>());
+  }
+  return frame_ms;
+}
+
 }  // namespace
 
 EngineReady parse_ready(const std::string& line) {
@@ -74,15 +84,19 @@ std::string request_line(const EngineRequest& request) {
   const RenderRequest& wanted = *request.request;
   Json parameters = Json::object();
   for (const auto& [name, value] : wanted.parameters) parameters[name] = value_json(value);
-  return Json{{"protocol", kEngineProtocol},
-              {"id", request.id},
-              {"scene", request.scene.string()},
-              {"out", request.out.string()},
-              {"width_px", wanted.width_px},
-              {"height_px", wanted.height_px},
-              {"seed", wanted.seed},
-              {"parameters", parameters}}
-      .dump(-1, ' ', false, Json::error_handler_t::replace);
+  Json json = {{"protocol", kEngineProtocol},
+               {"id", request.id},
+               {"scene", request.scene.string()},
+               {"out", request.out.string()},
+               {"width_px", wanted.width_px},
+               {"height_px", wanted.height_px},
+               {"seed", wanted.seed},
+               {"parameters", parameters}};
+  if (request.timed_frames > 0) {
+    json["timed_frames"] = request.timed_frames;
+    json["timed_seconds"] = request.timed_seconds;
+  }
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 EngineAnswer parse_answer(const std::string& line, const EngineRequest& request) {
@@ -105,6 +119,9 @@ EngineAnswer parse_answer(const std::string& line, const EngineRequest& request)
   }
   if (const auto memory = json.find("memory_bytes"); memory != json.end() && memory->is_number_unsigned())
     answer.memory_bytes = memory->get<uint64_t>();
+  if (const auto times = json.find("frame_ms"); times != json.end() && !times->is_null())
+    answer.frame_ms = times_of(*times, line);
+  answer.timer = text_of(json, "timer");
   return answer;
 }
 

@@ -27,6 +27,8 @@ struct EngineRequest {
   std::filesystem::path scene;  // folder with scene.obj and scene.json
   std::filesystem::path out;    // folder for the answer's files
   const RenderRequest* request = nullptr;
+  int timed_frames = 0;        // of the picture with shadows, if the engine can tell; 0 = no times
+  double timed_seconds = 0.0;  // none begins later
 };
 
 /// Files by what they show: visibility, lit, unlit, position, normal, surfaces; all are inside the request's `out`.
@@ -34,6 +36,8 @@ struct EngineAnswer {
   std::map<std::string, std::filesystem::path> files;
   std::vector<std::string> warnings;
   uint64_t memory_bytes = 0;
+  std::vector<double> frame_ms;  // one after another; empty where the engine cannot tell
+  std::string timer;             // what measured them
 };
 
 /// Error{environment} for a line that says something else.
@@ -42,7 +46,7 @@ EngineReady parse_ready(const std::string& line);
 std::string request_line(const EngineRequest& request);
 
 /// Error{input} with the adapter's sentence when it answers with an error; Error{environment} for garbage, another
-/// request's answer, names that leave `out`, and files that are not there.
+/// request's answer, names that leave `out`, files that are not there, and times that are none.
 EngineAnswer parse_answer(const std::string& line, const EngineRequest& request);
 
 }  // namespace umbrameter

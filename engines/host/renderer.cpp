@@ -21,6 +21,13 @@ namespace fs = std::filesystem;
 /// An adapter that did not start so often in a row is not started again.
 constexpr int kMostFailedStarts = 3;
 
+/// Frames that are timed with one picture: warm-up, and as many as most plans want.
+constexpr int kFramesAtOnce = 25;
+constexpr double kTimedSeconds = 3.0;
+
+constexpr const char* kIntegrated =
+    "the engine integrates the light: compared as irradiance ratio S, not as visibility V";
+
 /// What stays of an engine between two pictures.
 struct OpenEngine {
   Engine engine;
@@ -73,10 +80,6 @@ EngineAnswer find_pictures(const Engine& engine, const PlaceholderValues& values
 
 void require_support(const Engine& engine, const Scene& scene) {
   const Light& light = scene.light();
-  if (engine.quantity == EngineQuantity::irradiance) {
-    fail_input(fmt::format("engine '{}' draws irradiance, and runs are compared as visibility", engine.id),
-               {}, "'umbrameter score --quantity irradiance' judges its pictures");
-  }
   if (!scene.cutouts.empty() && engine.form != EngineForm::pictures) {
     fail_input(
         fmt::format("engine '{}' gets no cut-outs: {} of {} triangles have holes, which scene.obj does not",
@@ -96,21 +99,56 @@ class EngineRenderer final : public Renderer {
       : settings_(settings), scenes_(made(settings.work_folder / "scenes")) {}
 
   Frame render(const Scene& scene, const RenderRequest& request, Progress& progress) override {
+    return draw(scene, request, 0, progress).frame;
+  }
+
+  /// An engine's frames are timed one after another, a few at once: it does not keep pictures in turn with others.
+  PreparedRun prepare(const Scene& scene, const RenderRequest& request, Progress& progress) override {
+    Drawn drawn = draw(scene, request, kFramesAtOnce, progress);
+    if (drawn.frame_ms.empty()) return {std::move(drawn.frame), {}, {}, {}};
+    const auto time_frame = [this, &scene, request, left = std::move(drawn.frame_ms)]() mutable {
+      if (left.empty()) {
+        SilentProgress silent;
+        left = draw(scene, request, kFramesAtOnce, silent).frame_ms;
+      }
+      if (left.empty()) fail_environment("the engine has no more times");
+      const double frame_ms = left.front();
+      left.erase(left.begin());
+      return std::vector<double>{frame_ms};
+    };
+    return {std::move(drawn.frame), time_frame, {"frame"}, std::move(drawn.timer)};
+  }
+
+ private:
+  struct Drawn {
+    Frame frame;
+    std::vector<double> frame_ms;
+    std::string timer;
+  };
+
+  Drawn draw(const Scene& scene, const RenderRequest& request, int timed_frames, Progress& progress) {
     const Clock::time_point start = Clock::now();
     OpenEngine& open = opened(request.technique);
     require_support(open.engine, scene);
     const fs::path out = made(settings_.work_folder / fmt::format("out-{}", ++requests_));
-    Frame frame;
+    Drawn drawn;
+    Frame& frame = drawn.frame;
     try {
       progress.begin(open.engine.id, 1);
-      const Answered answered = answer(open, scene, request, out, progress);
+      const Answered answered = answer(open, scene, request, out, timed_frames, progress);
       frame.image = read_engine_picture(answered.answer.files, request.width_px, request.height_px);
       frame.warnings = answered.answer.warnings;
+      if (open.engine.quantity == EngineQuantity::irradiance) {
+        frame.image.metadata["quantity"] = to_text(open.engine.quantity);
+        frame.warnings.emplace_back(kIntegrated);
+      }
       frame.memory_bytes = answered.answer.memory_bytes;
       frame.device = answered.ready.device.empty()
                          ? answered.ready.version
                          : fmt::format("{}, {}", answered.ready.version, answered.ready.device);
       frame.is_software = answered.ready.is_software;
+      drawn.frame_ms = answered.answer.frame_ms;
+      drawn.timer = answered.answer.timer;
       progress.end();
     } catch (const Error& error) {
       fs::remove_all(out);
@@ -120,10 +158,9 @@ class EngineRenderer final : public Renderer {
     fs::remove_all(out);
     frame.parameters = request.parameters;
     frame.wall_time_s = seconds_since(start);
-    return frame;
+    return drawn;
   }
 
- private:
   static fs::path made(const fs::path& folder) {
     create_folder(folder);
     return folder;
@@ -131,20 +168,21 @@ class EngineRenderer final : public Renderer {
 
   OpenEngine& opened(const std::string& id_or_path) {
     if (const auto known = engines_.find(id_or_path); known != engines_.end()) return known->second;
-    const fs::path folder = find_engine_folder(id_or_path, settings_.places);
-    if (folder.empty()) fail_input(fmt::format("there is no engine '{}'", id_or_path));
-    OpenEngine open{load_engine(folder, settings_.places), {}, {}};
+    std::optional<Engine> engine = find_engine(id_or_path, settings_.places);
+    if (!engine) fail_input(fmt::format("there is no engine '{}'", id_or_path));
+    OpenEngine open{std::move(*engine), {}, {}};
     require_installed(open.engine);
     open.work_folder = made(settings_.work_folder / fmt::format("engine-{}", engines_.size() + 1));
     return engines_.emplace(id_or_path, std::move(open)).first->second;
   }
 
   Answered answer(OpenEngine& open, const Scene& scene, const RenderRequest& request, const fs::path& out,
-                  Progress& progress) {
+                  int timed_frames, Progress& progress) {
     if (open.engine.form == EngineForm::pictures)
       return {find_pictures(open.engine, values_of(scene, request)), {open.engine.title, {}, false}};
-    const EngineRequest question{requests_, scenes_.folder_of(scene, request.width_px, request.height_px),
-                                 out, &request};
+    const EngineRequest question{requests_,    scenes_.folder_of(scene, request.width_px, request.height_px),
+                                 out,          &request,
+                                 timed_frames, kTimedSeconds};
     if (open.engine.form == EngineForm::command)
       return {run_command(open, scene, question, progress), {open.engine.title, {}, false}};
     if (!open.adapter) start(open, progress);

@@ -3,6 +3,7 @@
 import * as pc from "../modules/playcanvas/build/playcanvas.mjs";
 import {farPlane, nearPlane} from "../web/camera.mjs";
 import {nearestLight} from "../web/light.mjs";
+import {timeFrames} from "../web/timer.mjs";
 
 const TYPES = {pcf1: pc.SHADOW_PCF1_32F, pcf3: pc.SHADOW_PCF3_32F, pcf5: pc.SHADOW_PCF5_32F, pcss: pc.SHADOW_PCSS_32F,
                vsm16: pc.SHADOW_VSM_16F, vsm32: pc.SHADOW_VSM_32F};
@@ -107,14 +108,19 @@ function lightOf(fit, values, distance) {
   return entity;
 }
 
-async function draw(target, body, material, width, height) {
-  body.instance.material = material;
+function submit() {
   app.update(0);
   app.render();
+}
+
+async function draw(target, body, material, width, height) {
+  body.instance.material = material;
+  submit();
   return target.colorBuffer.read(0, 0, width, height, {renderTarget: target, immediate: true});
 }
 
-export async function render({width_px: width, height_px: height, parameters: values, scene: description, mesh}) {
+export async function render(request) {
+  const {width_px: width, height_px: height, parameters: values, scene: description, mesh} = request;
   const colorBuffer = new pc.Texture(app.graphicsDevice, {
     width, height, format: pc.PIXELFORMAT_RGBA32F, mipmaps: false, minFilter: pc.FILTER_NEAREST, magFilter: pc.FILTER_NEAREST});
   const target = new pc.RenderTarget({colorBuffer, depth: true, samples: 1});
@@ -135,7 +141,8 @@ export async function render({width_px: width, height_px: height, parameters: va
     const unlit = await draw(target, body, white, width, height);
     light.light.castShadows = true;
     const lit = await draw(target, body, white, width, height);
-    return {lit, unlit, position, normal, warnings: []};
+    const times = await timeFrames(app.graphicsDevice.gl, request, submit);
+    return {lit, unlit, position, normal, ...times};
   } finally {
     for (const entity of [body.entity, camera, light]) entity?.destroy();
     target.destroyTextureBuffers();

@@ -3,6 +3,7 @@
 import * as THREE from "../modules/three/build/three.module.js";
 import {farPlane, nearPlane} from "../web/camera.mjs";
 import {nearestLight} from "../web/light.mjs";
+import {timeFrames} from "../web/timer.mjs";
 
 const TYPES = {basic: THREE.BasicShadowMap, pcf: THREE.PCFShadowMap, pcfsoft: THREE.PCFSoftShadowMap, vsm: THREE.VSMShadowMap};
 const SIDES = {front: THREE.FrontSide, back: THREE.BackSide, double: THREE.DoubleSide};
@@ -83,25 +84,31 @@ function lightOf(fit, values) {
   return light;
 }
 
-function draw(scene, camera, width, height, material) {
-  const target = new THREE.WebGLRenderTarget(width, height, {
+function targetOf(width, height) {
+  return new THREE.WebGLRenderTarget(width, height, {
     type: THREE.FloatType, minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter,
     depthTexture: new THREE.DepthTexture(width, height, THREE.FloatType),
   });
+}
+
+function submit(target, scene, camera, material) {
   scene.overrideMaterial = material;
   renderer.setRenderTarget(target);
   renderer.clear();
   renderer.render(scene, camera);
   scene.overrideMaterial = null;
-  const pixels = new Float32Array(4 * width * height);
-  renderer.readRenderTargetPixels(target, 0, 0, width, height, pixels);
-  renderer.setRenderTarget(null);
-  target.depthTexture.dispose();
-  target.dispose();
+}
+
+function draw(target, scene, camera, material) {
+  submit(target, scene, camera, material);
+  const pixels = new Float32Array(4 * target.width * target.height);
+  renderer.readRenderTargetPixels(target, 0, 0, target.width, target.height, pixels);
   return pixels;
 }
 
-export async function render({width_px: width, height_px: height, parameters: values, scene: description, mesh}) {
+export async function render(request) {
+  const {width_px: width, height_px: height, parameters: values, scene: description, mesh} = request;
+  const target = targetOf(width, height);
   const camera = cameraOf(description.camera, width / height, mesh.points);
   const scene = new THREE.Scene();
   const material = new THREE.MeshLambertMaterial({color: 0xffffff, side: THREE.DoubleSide, shadowSide: SIDES[values.shadowSide]});
@@ -112,17 +119,18 @@ export async function render({width_px: width, height_px: height, parameters: va
   renderer.shadowMap.enabled = true;
   renderer.shadowMap.type = TYPES[values.type];
 
-  camera.near = nearPlane(description.camera, draw(scene, camera, width, height, positionMaterial));
+  camera.near = nearPlane(description.camera, draw(target, scene, camera, positionMaterial));
   camera.updateProjectionMatrix();
-  const position = draw(scene, camera, width, height, positionMaterial);
-  const normal = draw(scene, camera, width, height, normalMaterial);
+  const position = draw(target, scene, camera, positionMaterial);
+  const normal = draw(target, scene, camera, normalMaterial);
   const light = lightOf(nearestLight(description.light, mesh, position), values);
   scene.add(light, light.target ?? new THREE.Object3D());
   light.castShadow = true;
-  const lit = draw(scene, camera, width, height, null);
+  const lit = draw(target, scene, camera, null);
+  const times = await timeFrames(renderer.getContext(), request, () => submit(target, scene, camera, null));
   light.castShadow = false;
-  const unlit = draw(scene, camera, width, height, null);
-  material.dispose();
-  light.dispose();
-  return {lit, unlit, position, normal, warnings: []};
+  const unlit = draw(target, scene, camera, null);
+  renderer.setRenderTarget(null);
+  for (const used of [material, light, target.depthTexture, target]) used.dispose();
+  return {lit, unlit, position, normal, ...times};
 }

@@ -3,7 +3,8 @@
 //
 // ../engine/page.mjs exports
 //   open(canvas)    -> {version, device}; async
-//   render(request) -> {lit, unlit, position, normal, warnings}; async. `request` has width_px, height_px, seed, parameters, scene
+//   render(request) -> {lit, unlit, position, normal}, and maybe warnings, frame_ms and timer (timer.mjs); async. `request` has
+//                      width_px, height_px, seed, parameters, timed_frames and timed_seconds, which may be undefined, scene
 //                      (scene.json) and mesh (below); each picture is a Float32Array of RGBA, row 0 at the bottom; position has
 //                      alpha 0 where nothing is hit.
 import * as engine from "../engine/page.mjs";
@@ -63,7 +64,7 @@ export async function render(request) {
   if (scene.mesh_hash !== mesh.hash) mesh = readMesh(scene.mesh_hash, await loadText("../scene/scene.obj"));
   const {width_px: width, height_px: height} = request;
   const pictures = await engine.render({...request, scene, mesh});
-  const answer = {warnings: pictures.warnings ?? []};
+  const answer = {warnings: pictures.warnings ?? [], frame_ms: pictures.frame_ms, timer: pictures.timer};
   for (let i = 0; i < width * height; ++i) {
     if (pictures.position[4 * i + 3] === 0) pictures.position.fill(NaN, 4 * i, 4 * i + 3);
   }

@@ -6,6 +6,7 @@
 #include "study/measured.h"
 #include "study/metadata.h"
 #include "study/score.h"
+#include "study/shadow_quantity.h"
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -71,7 +72,9 @@ Examined examine(const Image& picture, const Image& truth, const glm::dvec3& eye
   Examined out;
   out.run.metric_problems = metric_problems(metric);
   Score score;
-  out.run.failure = guarded([&] { score = score_image(picture, truth, eye_world); });
+  std::optional<Image> made;
+  out.run.failure =
+      guarded([&] { score = score_image(picture, truth_for(picture, truth, made), eye_world); });
   if (out.run.failure) return out;
   out.run.parity_passes = score.parity.passes;
   out.run.is_other_light = score.parity.is_other_light;

@@ -6,6 +6,7 @@
 #include "study/measured.h"
 #include "study/metadata.h"
 #include "study/score.h"
+#include "study/shadow_quantity.h"
 #include "study/store/stored_truth.h"
 #include "study/sweep/make_record.h"
 #include "study/sweep/share_progress.h"
@@ -105,8 +106,8 @@ void judge(Context& context, const RunRecord& record, const StoredPicture& pictu
     baseline = {record.baseline, find_picture(context.store, record.baseline)};
   if (!baseline.picture) return;
   const auto verdict =
-      judge_against({picture.image, picture.mask}, {baseline.picture->image, baseline.picture->mask}, "",
-                    *context.truth.image);
+      judge_runs({picture.image, picture.mask}, {baseline.picture->image, baseline.picture->mask}, "",
+                 *context.truth.image);
   if (verdict) ++context.outcome.verdicts[verdict->outcome];
 }
 
@@ -140,8 +141,10 @@ void render_run(Context& context, const PlanStep& step, const std::string& refer
   const Clock::time_point start = Clock::now();
   if (!result.failure) {
     result.failure = guarded([&] {
-      Score score = score_image(frame.image, *context.truth.image, job.scene.camera.eye_world, {metrics, {}},
-                                &context.truth.shared);
+      std::optional<Image> made;
+      const Image& truth = truth_for(frame.image, *context.truth.image, made);
+      Score score = score_image(frame.image, truth, job.scene.camera.eye_world, {metrics, {}},
+                                made ? nullptr : &context.truth.shared);
       take_score(score, record);
       check_measured(context, step, score.error, score.scorable_pixels);
       picture = {picture_to_store(frame.image, score.mask), std::move(score.mask)};

@@ -50,6 +50,7 @@ std::string label_of(Store& store, const std::string& key) {
 
 Image picture_to_store(const Image& image, std::span<const uint8_t> mask) {
   Image picture(image.width, image.height);
+  picture.metadata = image.metadata;
   std::ranges::copy(image.plane("visibility"), picture.add_plane("visibility").begin());
   std::ranges::copy(mask, picture.add_plane("scored").begin());
   return picture;
@@ -79,8 +80,8 @@ void judge_runs(Store& store, std::span<RunRecord> runs, const std::string& base
     const auto& truth =
         truths.get(run.reference, [&](const std::string& key) { return find_truth(store, key); });
     if (!first || !truth) continue;
-    run.result.judgement.verdict = judge_against({picture->image, picture->mask}, {first->image, first->mask},
-                                                 label_of(store, other), *truth);
+    run.result.judgement.verdict = judge_runs({picture->image, picture->mask}, {first->image, first->mask},
+                                              label_of(store, other), *truth);
   }
 }
 

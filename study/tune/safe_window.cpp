@@ -81,11 +81,17 @@ class Sweep {
 
 }  // namespace
 
+bool falls(const Parameter& bias) {
+  return bias.group == "bias" && bias.min < 0.0;
+}
+
 std::optional<WindowKind> window_of(const Parameter& parameter) {
   if (parameter.type != ParameterType::real) return std::nullopt;
   if (parameter.group == "light") return WindowKind::light_size;
   const bool is_length = parameter.unit == "texels" || parameter.unit == "world";
-  return parameter.group == "bias" && is_length ? std::optional(WindowKind::bias) : std::nullopt;
+  const bool is_of_engine = parameter.stage == ParameterStage::host;
+  return parameter.group == "bias" && (is_length || is_of_engine) ? std::optional(WindowKind::bias)
+                                                                  : std::nullopt;
 }
 
 double tolerance_of(WindowKind kind) {
@@ -109,6 +115,7 @@ SafeWindow find_window(const Parameter& axis, const MeasureWindow& measure,
   out.parameter = axis.name;
   out.unit = axis.unit;
   out.kind = window_of(axis).value_or(WindowKind::bias);
+  out.falls = falls(axis);
   const double tolerance = tolerance_of(out.kind);
   out.is_complete = sweep.add_levels(tolerance) && sweep.refine(lower_end, tolerance, true) &&
                     sweep.refine(upper_end, tolerance, false);

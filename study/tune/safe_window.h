@@ -14,9 +14,12 @@
 namespace umbrameter {
 
 enum class WindowKind : uint8_t {
-  bias,  // a length of group "bias", in texels or world units; faults: shares of acne and of peter-panning
+  bias,  // of group "bias": a length in texels or world units, or an engine's in its own; faults: shares of acne and of peter-panning
   light_size  // of group "light"; faults: octaves by which the median penumbra is too narrow and too wide
 };
+
+/// Engines have biases that begin below 0: those move shadows away as they fall.
+bool falls(const Parameter& bias);
 
 /// The window that is asked for a tuned parameter; absent for most.
 std::optional<WindowKind> window_of(const Parameter& parameter);
@@ -37,6 +40,7 @@ struct SafeWindow {
   std::string parameter;
   std::string unit;
   WindowKind kind = WindowKind::bias;
+  bool falls = false;               // a bias that moves shadows away as it falls
   bool is_at_tuned = false;         // else: beside the values as given
   std::vector<WindowPoint> points;  // by value
   std::optional<double> from;       // least value from which on none of them is too low; absent: all are

@@ -22,6 +22,7 @@ struct NamedValues {
 
 struct TunePlan {
   TechniqueRun technique;             // its parameters are the base: what is not tuned stays as it is there
+  bool is_engine = false;             // a foreign renderer: settings are told in its own words
   std::vector<Parameter> parameters;  // all of the technique's
   std::vector<NamedValues> presets;
   std::vector<std::string> tuned;  // names; empty: choose_search_space

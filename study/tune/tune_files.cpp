@@ -58,8 +58,22 @@ std::string preset_toml(const TunePlan& plan, const TuneResult& result) {
   return text;
 }
 
+/// An engine's own settings, by its own names and in its own units.
+std::string own_settings(const TunePlan& plan, const TuneResult& result) {
+  std::string text;
+  for (const Parameter& parameter : plan.parameters) {
+    const ParameterValue& value = result.best.values.at(parameter.name);
+    if (!is_tuned(result, parameter.name) && value == parameter.default_value) continue;
+    text += fmt::format("{} = {}", parameter.name, to_text(value));
+    if (!parameter.unit.empty() && parameter.unit != "none") text += fmt::format("  // {}", parameter.unit);
+    text += "\n";
+  }
+  return text;
+}
+
 /// What engines have a setting for, or do not need, then what they lack.
 std::string engine_block(const TunePlan& plan, const TuneResult& result) {
+  if (plan.is_engine) return fmt::format("// {}\n{}", summary(plan, result), own_settings(plan, result));
   std::string settings, lacking;
   for (const Parameter& parameter : plan.parameters) {
     if (!is_tuned(result, parameter.name)) continue;

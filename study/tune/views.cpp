@@ -3,6 +3,7 @@
 
 #include "core/error.h"
 #include "study/guard.h"
+#include "study/shadow_quantity.h"
 
 #include <glm/geometric.hpp>
 
@@ -82,7 +83,10 @@ View Studio::make_view(SceneJob& job, double angle_deg, const Fidelity& fidelity
 }
 
 Frame Studio::render(const View& view, const ParameterValues& values) {
-  return render(realtime_, view, technique_, values, silent_);
+  Frame frame = render(realtime_, view, technique_, values, silent_);
+  if (quantity_of(frame.image) != ShadowQuantity::visibility)
+    fail_input("pictures that integrate the light are not tuned: the search compares visibility");
+  return frame;
 }
 
 Frame Studio::render(Renderer& renderer, const View& view, const std::string& technique,

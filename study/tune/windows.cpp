@@ -15,9 +15,10 @@ struct ValueFaults {
   double too_low = 0.0, too_high = 0.0;
 };
 
-std::optional<ValueFaults> faults_of(WindowKind kind, const Image& test, const View& view) {
+std::optional<ValueFaults> faults_of(WindowKind kind, bool falls, const Image& test, const View& view) {
   if (kind == WindowKind::bias) {
     const FaultShares shares = measure_fault_shares(test, view.reference, view.mask);
+    if (falls) return ValueFaults{shares.peter_panning, shares.acne};
     return ValueFaults{shares.acne, shares.peter_panning};
   }
   const auto octaves = measure_width_octaves(test, view.reference, view.mask);
@@ -27,8 +28,8 @@ std::optional<ValueFaults> faults_of(WindowKind kind, const Image& test, const V
 
 class WindowMeasure {
  public:
-  WindowMeasure(Studio& studio, const Judge& judge, Objective objective, WindowKind kind)
-      : studio_(studio), judge_(judge), objective_(objective), kind_(kind) {}
+  WindowMeasure(Studio& studio, const Judge& judge, Objective objective, WindowKind kind, bool falls)
+      : studio_(studio), judge_(judge), objective_(objective), kind_(kind), falls_(falls) {}
 
   std::optional<WindowPoint> at(const ParameterValues& values, double value) const {
     WindowPoint point{value, 0.0, 0.0, 0.0};
@@ -50,7 +51,7 @@ class WindowMeasure {
  private:
   bool add(const Image& test, const View& view, WindowPoint& point) const {
     const auto objective = measure_objective(objective_, test, view.reference, view.mask, false);
-    const auto faults = faults_of(kind_, test, view);
+    const auto faults = faults_of(kind_, falls_, test, view);
     if (!objective || !faults) return false;
     point.objective += objective->value;
     point.too_low = std::max(point.too_low, faults->too_low);
@@ -62,6 +63,7 @@ class WindowMeasure {
   const Judge& judge_;
   Objective objective_;
   WindowKind kind_;
+  bool falls_;
 };
 
 }  // namespace
@@ -84,7 +86,7 @@ std::vector<SafeWindow> find_windows(Studio& studio, const Judge& judge, const S
   for (const Parameter& axis : space) {
     const auto kind = window_of(axis);
     if (!kind || (is_active && !is_active(axis, values))) continue;
-    const WindowMeasure measure(studio, judge, objective, *kind);
+    const WindowMeasure measure(studio, judge, objective, *kind, falls(axis));
     const auto at = [&](double value) {
       ParameterValues moved = values;
       moved[axis.name] = value;

@@ -78,7 +78,12 @@ def answer(request):
         return say({"id": request["id"], "lit": "lit.pfm", "unlit": "unlit.pfm"})
     if kind == "rows":
         write_pfm(out / "v.pfm", width, height, [(i // width) / height for i in range(width * height)])
-    say({"id": request["id"], "visibility": "v.pfm", "warnings": ["seed %d" % request["seed"]], "memory_bytes": 4096})
+    times = {}
+    if "timed_frames" in request:  # three at most: whoever wants more asks again
+        frames = min(3, request["timed_frames"])
+        times = {"frame_ms": ["soon"] if kind == "no_times" else [2.5] * frames, "timer": "a clock"}
+    say({"id": request["id"], "visibility": "v.pfm", "warnings": ["seed %d" % request["seed"]], "memory_bytes": 4096,
+         **times})
 
 
 def main():

@@ -33,7 +33,7 @@ sun = "a direction"
 name = "misbehave"
 type = "choice"
 choices = ["no", "hang", "crash", "signal", "garbage", "close", "memory", "long_line", "chatter", "error", "other_id",
-           "escape", "link", "missing", "size", "nan", "half", "nothing", "pair", "rows"]
+           "escape", "link", "missing", "size", "nan", "half", "nothing", "pair", "rows", "no_times"]
 default = "no"
 doc = "what goes wrong"
 

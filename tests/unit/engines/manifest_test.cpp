@@ -100,6 +100,9 @@ TEST_F(ManifestTest, FoundByIdAndByFolder) {
   EXPECT_EQ(find_engine_folder(folder_.path().string(), places), folder_.path());
   EXPECT_TRUE(find_engine_folder("pcf", places).empty());
   EXPECT_TRUE(find_engine_folder("..", places).empty());
+  EXPECT_EQ(find_engine("tried", places)->id, "tried");
+  EXPECT_FALSE(find_engine("pcf", places));
+  EXPECT_FALSE(names_engine("picture.png", places));
   EXPECT_EQ(list_engines(places).size(), 1u);
 }
 

@@ -41,6 +41,15 @@ class EngineRendererTest : public testing::Test {
                               .parameters = {{"misbehave", misbehave}, {"shadow.grey", grey}}},
                              progress_);
   }
+  PreparedRun prepare(const std::string& misbehave = "no") {
+    static const Scene scene = triangle();
+    return renderer().prepare(scene,
+                              {.width_px = 7,
+                               .height_px = 5,
+                               .technique = "tried",
+                               .parameters = {{"misbehave", misbehave}, {"shadow.grey", 0.5}}},
+                              progress_);
+  }
   /// The error's kind and words; the next request must work again.
   std::pair<ErrorKind, std::string> failure(const std::string& misbehave) {
     std::pair<ErrorKind, std::string> found{ErrorKind::internal, "no error"};
@@ -219,12 +228,25 @@ TEST_F(EngineRendererTest, CutOutsAreRefused) {
       testing::ThrowsMessage<Error>(HasSubstr("gets no cut-outs: 1 of 1 triangles have holes")));
 }
 
-TEST_F(EngineRendererTest, IrradianceIsNotTakenForVisibility) {
+TEST_F(EngineRendererTest, FramesAreTimedByTheEngineAndAskedForAgain) {
+  const PreparedRun run = prepare();
+  ASSERT_TRUE(run.time_frame);
+  EXPECT_EQ(run.timer, "a clock");
+  EXPECT_THAT(run.passes, testing::ElementsAre("frame"));
+  for (int i = 0; i < 7; ++i) EXPECT_THAT(run.time_frame(), testing::ElementsAre(2.5)) << i;
+}
+
+TEST_F(EngineRendererTest, TimesThatAreNoneAreAnError) {
+  EXPECT_THAT([&] { prepare("no_times"); }, testing::ThrowsMessage<Error>(HasSubstr("not times of frames")));
+}
+
+TEST_F(EngineRendererTest, APictureOfIrradianceSaysSo) {
   std::string manifest = test_engine_manifest();
   manifest.replace(manifest.find("\"visibility\""), 12, "\"irradiance\"");
   folder_.write("engine.toml", manifest);
-  EXPECT_THAT([&] { render(); },
-              testing::ThrowsMessage<Error>(HasSubstr("draws irradiance, and runs are compared")));
+  const Frame frame = render();
+  EXPECT_EQ(frame.image.metadata.at("quantity"), "irradiance");
+  EXPECT_THAT(frame.warnings, testing::Contains(HasSubstr("compared as irradiance ratio S")));
 }
 
 TEST_F(EngineRendererTest, LightsThatAreNotSupportedAreRefused) {
