@@ -34,10 +34,12 @@ TEST_F(ReportSize, TwelveScenesOfThirtyRunsStayUnder60MBAndOpenEveryViewer) {
   ASSERT_EQ(report.exit_code, 0) << report.err;
   const auto size = std::filesystem::file_size(folder() / "report.html");
   EXPECT_LT(size, 60'000'000u);
+  // A viewer opens with the run that is best for the time, whichever that is.
   const char* open_all =
       "(async () => { for (let s = 0; s < 12; ++s) { const viewer = makeViewer(s); while "
-      "(viewer.root.dataset.ready !== '0 -1') "
-      "await new Promise(done => setTimeout(done, 10)); } return [viewers.size, "
+      "(viewer.root.dataset.ready !== `${viewer.runIndex} -1`) { "
+      "const problem = part(viewer, 'message').textContent; if (problem) throw new Error(problem); "
+      "await new Promise(done => setTimeout(done, 10)); } } return [viewers.size, "
       "page.results.scenes[11].techniques.length]; })()";
   write("steps.json", Json({{{"eval", open_all}}}).dump());
   const ProcessResult visit = run_process(
