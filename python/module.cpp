@@ -64,9 +64,12 @@ PYBIND11_MODULE(_core, module) {
   module.attr("commit") = kCommit;
   add_exceptions(module);
   // .../lib/python3/dist-packages/umbrameter/_core.so and <build>/python/umbrameter/_core.so
+  module.attr("file") = module_file().string();
   module.def("data_folder", [] { return find_data_folder(module_file(), 5).string(); });
   add_images(module);
   add_scenes(module);
   add_renderers(module);
+  add_engines(module);
   add_score(module);
+  add_profiles(module);
 }

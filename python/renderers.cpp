@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "python/bindings.h"
 #include "python/interruption.h"
+#include "python/parameters.h"
 #include "realtime/manifest/technique.h"
 #include "realtime/realtime.h"
 #include "reference/reference.h"
@@ -74,19 +75,7 @@ py::list list_all(const std::string& data) {
   py::list all;
   for (const Technique& technique :
        list_techniques(std::filesystem::path(data) / "realtime" / "techniques")) {
-    py::list parameters, presets, lights;
-    for (const Parameter& p : technique.parameters) {
-      py::dict parameter;
-      parameter["name"] = p.name;
-      parameter["type"] = std::string(to_text(p.type));
-      parameter["default"] = p.default_value;
-      parameter["min"] = p.min;
-      parameter["max"] = p.max;
-      parameter["choices"] = p.choices;
-      parameter["unit"] = p.unit;
-      parameter["doc"] = p.doc;
-      parameters.append(parameter);
-    }
+    py::list presets, lights;
     for (const Preset& preset : technique.presets) presets.append(preset.name);
     for (const LightType light : technique.lights) lights.append(std::string(to_text(light)));
     py::dict entry;
@@ -94,7 +83,7 @@ py::list list_all(const std::string& data) {
     entry["title"] = technique.title;
     entry["summary"] = technique.summary;
     entry["lights"] = lights;
-    entry["parameters"] = parameters;
+    entry["parameters"] = parameter_entries(technique.parameters);
     entry["presets"] = presets;
     all.append(entry);
   }
@@ -102,6 +91,23 @@ py::list list_all(const std::string& data) {
 }
 
 }  // namespace
+
+py::list parameter_entries(const std::vector<Parameter>& parameters) {
+  py::list all;
+  for (const Parameter& p : parameters) {
+    py::dict parameter;
+    parameter["name"] = p.name;
+    parameter["type"] = std::string(to_text(p.type));
+    parameter["default"] = p.default_value;
+    parameter["min"] = p.min;
+    parameter["max"] = p.max;
+    parameter["choices"] = p.choices;
+    parameter["unit"] = p.unit;
+    parameter["doc"] = p.doc;
+    all.append(parameter);
+  }
+  return all;
+}
 
 void add_renderers(py::module_& module) {
   py::class_<Frame>(module, "Frame")

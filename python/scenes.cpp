@@ -62,6 +62,8 @@ void add_scenes(py::module_& module) {
       .def_readonly("title", &Scene::title)
       .def_readonly("hash", &Scene::hash)
       .def_readonly("warnings", &Scene::warnings)
+      .def_property_readonly("file", [](const Scene& scene) { return scene.source.file; })
+      .def_property_readonly("light", [](const Scene& scene) { return scene.light().name; })
       .def_property_readonly("light_type",
                              [](const Scene& scene) { return std::string(to_text(scene.light().type)); })
       .def_property_readonly("eye_world", [](const Scene& scene) { return three(scene.camera.eye_world); })

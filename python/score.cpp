@@ -4,6 +4,7 @@
 #include "core/error.h"
 #include "python/bindings.h"
 #include "study/picture_score.h"
+#include "study/pictures.h"
 #include "study/results_json.h"
 
 #include <nlohmann/json.hpp>
@@ -16,13 +17,25 @@
 namespace umbrameter::python {
 namespace {
 
-/// The record as `umbrameter score --json` has it, and the fault class of every pixel.
+/// The record as `umbrameter score --json` has it, and what it has per pixel; not the pictures.
 struct ScoreAnswer {
   std::string json;
   int width = 0;
   int height = 0;
+  std::vector<uint8_t> scored;            // empty when the surfaces disagree
   std::vector<FaultClass> fault_classes;  // empty when there is no diagnosis
 };
+
+/// A plane of bytes that shares the answer's memory; None when the score lacks it.
+template <class Byte>
+py::object bytes_view(const py::object& owner, const std::vector<Byte>& bytes) {
+  if (bytes.empty()) return py::none();
+  const auto& answer = owner.cast<const ScoreAnswer&>();
+  py::array view(py::dtype::of<uint8_t>(), {answer.height, answer.width}, {},
+                 reinterpret_cast<const uint8_t*>(bytes.data()), owner);
+  view.attr("setflags")(py::arg("write") = false);
+  return view;
+}
 
 ScoreAnswer answer(const Image& picture, const Image& truth, const std::array<double, 3>& eye_world,
                    const std::string& metrics, std::optional<double> limit_rmse,
@@ -38,12 +51,12 @@ ScoreAnswer answer(const Image& picture, const Image& truth, const std::array<do
   ScoreSettings settings;
   settings.metrics = choose_metrics(metrics);
   settings.limit_rmse = limit_rmse;
-  const PictureScore result = score_picture(scored, truth, {eye_world[0], eye_world[1], eye_world[2]},
-                                            settings, parse_shadow_quantity(quantity));
+  PictureScore result = score_picture(scored, truth, {eye_world[0], eye_world[1], eye_world[2]}, settings,
+                                      parse_shadow_quantity(quantity));
   if (result.score.no_diagnosis)
     throw Error(result.score.no_diagnosis->kind, result.score.no_diagnosis->message);
   return {picture_json(result, "picture", "truth").dump(), truth.width, truth.height,
-          result.score.fault_classes};
+          std::move(result.score.mask), std::move(result.score.fault_classes)};
 }
 
 }  // namespace
@@ -51,12 +64,17 @@ ScoreAnswer answer(const Image& picture, const Image& truth, const std::array<do
 void add_score(py::module_& module) {
   py::class_<ScoreAnswer>(module, "ScoreAnswer")
       .def_readonly("json", &ScoreAnswer::json)
-      .def_property_readonly("fault_map", [](const py::object& self) -> py::object {
-        const auto& answer = self.cast<const ScoreAnswer&>();
-        if (answer.fault_classes.empty()) return py::none();
-        return py::array(py::dtype::of<uint8_t>(), {answer.height, answer.width}, {},
-                         reinterpret_cast<const uint8_t*>(answer.fault_classes.data()), self);
+      .def_property_readonly("fault_map",
+                             [](const py::object& self) {
+                               return bytes_view(self, self.cast<const ScoreAnswer&>().fault_classes);
+                             })
+      .def_property_readonly("scored", [](const py::object& self) {
+        return bytes_view(self, self.cast<const ScoreAnswer&>().scored);
       });
+  py::list colours;
+  for (const FaultLegend& entry : fault_legend())
+    colours.append(py::make_tuple(entry.colour[0], entry.colour[1], entry.colour[2]));
+  module.attr("fault_colours") = py::tuple(colours);
   std::vector<std::string> names;
   for (size_t i = 0; i < kFaultClasses; ++i) names.emplace_back(name_of(static_cast<FaultClass>(i)));
   module.attr("fault_names") = py::tuple(py::cast(names));

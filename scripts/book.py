@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """book.py [DIR]: gathers docs/, the techniques' pages and the project's own into DIR/source (default build/book), builds the
-site with mkdocs --strict into DIR/site and checks every link and anchor of it. Pages that the navigation lacks fail.
+site with mkdocs --strict into DIR/site and checks every link and anchor of it. Pages that the navigation lacks fail; those of
+techniques are put into it here.
 Exit codes: 0 fine, 1 a link leads nowhere or mkdocs complains, 3 mkdocs is not installed."""
 import html.parser
 import pathlib
@@ -21,8 +22,8 @@ def page_of(path):
     parts = path.relative_to(ROOT).parts
     if parts[0] == "docs":
         return "/".join(parts[1:])
-    if parts[:2] == ("realtime", "techniques") and path.suffix == ".md":
-        return f"techniques/{parts[2]}.md"
+    if parts[:2] == ("realtime", "techniques") and path.name in ("README.md", "picture.png"):
+        return f"techniques/{parts[2]}{path.suffix}"
     if path.name == "README.md" and len(parts) == 1:
         return "index.md"
     return path.name if path.name in TOP_PAGES and len(parts) == 1 else None
@@ -58,8 +59,21 @@ def gather(source):
         target = source / page_of(file)
         target.parent.mkdir(parents=True, exist_ok=True)
         target.write_text(rewrite(file.read_text(), file, problems))
+    for picture in ROOT.glob("realtime/techniques/*/picture.png"):
+        shutil.copy(picture, source / page_of(picture))
     shutil.copytree(ROOT / "docs" / "images", source / "images", dirs_exist_ok=True)
     return problems
+
+
+def with_techniques(config):
+    """The configuration with a page a technique, by title, after the page of all."""
+    pages = []
+    for manifest in ROOT.glob("realtime/techniques/*/technique.toml"):
+        title = re.search(r'^title = "(.*)"$', manifest.read_text(), re.M)[1]
+        pages.append(f'          - "{title}": techniques/{manifest.parent.name}.md\n')
+    line = "      - All of them, measured: techniques.md\n"
+    assert line in config and pages
+    return config.replace(line, line + "      - One by one:\n" + "".join(sorted(pages, key=str.lower)))
 
 
 class Page(html.parser.HTMLParser):
@@ -130,7 +144,7 @@ def main():
     problems = gather(source)
     problems += unlisted(source)
     config = folder / "mkdocs.yml"
-    text = (ROOT / "mkdocs.yml").read_text()
+    text = with_techniques((ROOT / "mkdocs.yml").read_text())
     config.write_text(text.replace("build/book/source", str(source)).replace("build/book/site", str(site)))
     built = subprocess.run(["mkdocs", "build", "--strict", "--quiet", "--clean", "-f", str(config)])
     if built.returncode != 0:

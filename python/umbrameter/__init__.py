@@ -10,142 +10,30 @@
 
 Pictures are numpy arrays of 32-bit floats, row 0 on top. Work in C++ runs without Python's lock and stops at Ctrl-C.
 What the user did wrong is InputError, what the machine lacks is MachineError; both say the same sentence as the program.
+Figures and LaTeX tables for papers are in umbrameter.figures (matplotlib) and umbrameter.tables.
 """
 from __future__ import annotations
 
-import json
 import os
-from dataclasses import dataclass, field
-from typing import Any, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
-
-import numpy as np
-import numpy.typing as npt
+from typing import Any, Dict, Mapping, Optional, Sequence, Tuple, Union
 
 from . import _core
-from ._core import Error, Frame as _CoreFrame, Image as _CoreImage, InputError, MachineError, Scene
+from ._core import Error, InputError, MachineError, Scene
+from ._frames import Frames, frames
+from ._picture import ParameterValue, Picture, read
+from ._program import command
+from ._score import FAULTS, PROFILE_OUTCOMES, Interval, Score, Walk, score
+from ._searches import Tuning, bench, check_engine, render_engine as _render_engine, sweep, tune
 
 __all__ = [
-    "Error", "InputError", "MachineError", "Interval", "Picture", "Scene", "Score", "FAULTS", "__version__",
-    "load_scene", "read", "render", "scenes", "score", "techniques", "truth",
+    "Error", "InputError", "MachineError", "Frames", "Interval", "Picture", "Scene", "Score", "Tuning", "Walk", "FAULTS",
+    "PROFILE_OUTCOMES", "__version__", "bench", "check_engine", "command", "engines", "frames", "load_scene", "read", "render",
+    "scenes", "score", "sweep", "techniques", "truth", "tune",
 ]
 
 __version__: str = _core.version
-FAULTS: Tuple[str, ...] = _core.fault_names
-"""Names of the values in Score.fault_map."""
 
-FloatArray = npt.NDArray[np.float32]
-
-
-class Interval(NamedTuple):
-    """A value with its 95 % interval."""
-
-    value: float
-    low: float
-    high: float
-
-
-class Picture(Mapping[str, FloatArray]):
-    """Named channels of one size: picture["visibility"] is an array [height, width] that shares the picture's memory and
-    cannot be written."""
-
-    def __init__(self, image: _CoreImage, frame: Optional[_CoreFrame] = None):
-        self._image = image
-        self._frame = frame
-
-    @classmethod
-    def from_arrays(cls, channels: Mapping[str, npt.ArrayLike]) -> "Picture":
-        """A picture of your own: at least {"visibility": [height, width]}; with position.x/y/z, normal.x/y/z, primitive_id and
-        unshadowed_irradiance its surfaces are compared with the truth's before anything is scored."""
-        arrays = {name: np.asarray(values, dtype=np.float32) for name, values in channels.items()}
-        if not arrays:
-            raise InputError("a picture needs a channel")
-        first_name, first = next(iter(arrays.items()))
-        if first.ndim != 2:
-            raise InputError(f"channel '{first_name}' has {first.ndim} dimensions, not rows and columns")
-        image = _CoreImage(first.shape[1], first.shape[0])
-        for name, values in arrays.items():
-            image.set_plane(name, values)
-        return cls(image)
-
-    def __getitem__(self, channel: str) -> FloatArray:
-        if channel not in self._image.channels:
-            raise KeyError(channel)
-        return self._image.plane(channel)
-
-    def __iter__(self):
-        return iter(self._image.channels)
-
-    def __len__(self) -> int:
-        return len(self._image.channels)
-
-    @property
-    def shape(self) -> Tuple[int, int]:
-        """Height and width in pixels."""
-        return self._image.height, self._image.width
-
-    @property
-    def metadata(self) -> Mapping[str, str]:
-        """What the file's header says: scene, seed, device, version, commit, ..."""
-        return self._image.metadata
-
-    @property
-    def device(self) -> str:
-        """The renderer; empty when the picture was not rendered here."""
-        return self._frame.device if self._frame else ""
-
-    @property
-    def parameters(self) -> Mapping[str, Union[bool, int, float, str]]:
-        """Every parameter of the technique with the value that was used."""
-        return self._frame.parameters if self._frame else {}
-
-    @property
-    def warnings(self) -> Sequence[str]:
-        return self._frame.warnings if self._frame else []
-
-    @property
-    def wall_time_s(self) -> float:
-        return self._frame.wall_time_s if self._frame else 0.0
-
-    def write(self, file: Union[str, os.PathLike]) -> None:
-        """Writes an EXR file of all channels, whole or not at all."""
-        self._image.write(os.fspath(file))
-
-
-@dataclass(frozen=True)
-class Score:
-    """How far a picture is from the truth. A number that could not be measured is None."""
-
-    record: Mapping[str, Any] = field(repr=False)
-    """Everything `umbrameter score --json` says (docs/results.md)."""
-    fault_map: Optional[npt.NDArray[np.uint8]] = field(repr=False)
-    """The class of every pixel, an index into FAULTS; None without diagnosis."""
-    surfaces_agree: bool
-    """Whether both renderers see the same surfaces; nothing is scored otherwise."""
-    rmse: Optional[Interval]
-    bias: Optional[float]
-    """Mean error; positive is too bright."""
-    worst_fault: Optional[str]
-
-    def fault(self, name: str) -> Mapping[str, float]:
-        """pixels, components (connected places) and mean_abs_error (part of the whole picture's) of a class of FAULTS."""
-        if name not in FAULTS:
-            raise InputError(f"no fault is called '{name}' (known: {', '.join(FAULTS)})")
-        faults = self.record.get("faults")
-        if faults is None:
-            raise InputError("this score has no diagnosis")
-        return faults["classes"][name]
-
-
-def _data() -> str:
-    return _core.data_folder()
-
-
-def _library() -> str:
-    return os.path.join(_data(), "scenes", "library")
-
-
-def _assets(assets: Optional[str]) -> str:
-    return assets if assets is not None else os.environ.get("UMBRAMETER_ASSETS", "")
+Path = Union[str, "os.PathLike[str]"]
 
 
 def scenes(assets: Optional[str] = None) -> Sequence[Mapping[str, Any]]:
@@ -153,7 +41,7 @@ def scenes(assets: Optional[str] = None) -> Sequence[Mapping[str, Any]]:
     return _core.list_scenes(_library(), _assets(assets))
 
 
-def load_scene(name_or_path: Union[str, os.PathLike], assets: Optional[str] = None, light: str = "") -> Scene:
+def load_scene(name_or_path: Path, assets: Optional[str] = None, light: str = "") -> Scene:
     """A scene of the library by name, or a scene file. One with several lights is seen under the `light` of that name or
     number."""
     return _core.load_scene(os.fspath(name_or_path), _library(), _assets(assets), light)
@@ -161,7 +49,13 @@ def load_scene(name_or_path: Union[str, os.PathLike], assets: Optional[str] = No
 
 def techniques() -> Sequence[Mapping[str, Any]]:
     """The built-in techniques: id, title, summary, lights, parameters (with default, min, max, unit, doc) and presets."""
-    return _core.list_techniques(_data())
+    return _core.list_techniques(_core.data_folder())
+
+
+def engines() -> Sequence[Mapping[str, Any]]:
+    """Other renderers that render() takes: id, title, summary, quantity, lights (and what becomes of each), parameters, presets,
+    known_failures, and `missing`: what scripts/install_engines.sh has yet to install; empty when it can run."""
+    return _core.list_engines(*_engine_places())
 
 
 def truth(scene: Scene, width: int = 480, height: int = 270, samples: int = 256, target_se: Optional[float] = None,
@@ -175,51 +69,51 @@ def truth(scene: Scene, width: int = 480, height: int = 270, samples: int = 256,
     return Picture(frame.image, frame)
 
 
-def render(scene: Scene, technique: Union[str, os.PathLike], width: int = 480, height: int = 270, seed: int = 1,
-           device: str = "", **parameters: Union[bool, int, float, str]) -> Picture:
-    """A technique's picture. `technique` is "ID[:name=value,...]" or the path of a technique's folder; `parameters` set
-    further values; preset="NAME" chooses a preset. Each thread has a GL context of its own."""
+def render(scene: Scene, technique: Path, width: int = 480, height: int = 270, seed: int = 1, device: str = "",
+           **parameters: ParameterValue) -> Picture:
+    """A technique's or an engine's picture. `technique` is "ID[:name=value,...]" or the path of a folder; `parameters` set
+    further values; preset="NAME" chooses a preset. Each thread has a GL context of its own. An engine is started for each
+    picture, and draws the scene's file."""
     _require_size(width, height)
-    text = os.fspath(technique)
-    values = dict(parameters)
-    if not os.path.isdir(text) and ":" in text:
-        text, assignments = text.split(":", 1)
-        for assignment in assignments.split(","):
-            name, equals, value = assignment.partition("=")
-            if not equals:
-                raise InputError(f"'{assignment}' is not name=value")
-            if name in values:
-                raise InputError(f"parameter '{name}' of '{text}' is given twice")
-            values[name] = value
-    frame = _core.render(scene, text, values, width, height, seed, _data(), device)
+    name, values = _split(os.fspath(technique), parameters)
+    if _core.is_engine(name, *_engine_places()):
+        assignments = ",".join(f"{key}={_word(value)}" for key, value in values.items())
+        return _render_engine(scene, f"{name}:{assignments}" if values else name, width, height, seed, device)
+    frame = _core.render(scene, name, values, width, height, seed, _core.data_folder(), device)
     return Picture(frame.image, frame)
 
 
-def read(file: Union[str, os.PathLike]) -> Picture:
-    """Any image file; channels as they are called there."""
-    return Picture(_core.read_image(os.fspath(file)))
+def _split(text: str, parameters: Mapping[str, ParameterValue]) -> Tuple[str, Dict[str, ParameterValue]]:
+    """"ID:name=value,..." and further values."""
+    values = dict(parameters)
+    if os.path.isdir(text) or ":" not in text:
+        return text, values
+    name, assignments = text.split(":", 1)
+    for assignment in assignments.split(","):
+        key, equals, value = assignment.partition("=")
+        if not equals:
+            raise InputError(f"'{assignment}' is not name=value")
+        if key in values:
+            raise InputError(f"parameter '{key}' of '{name}' is given twice")
+        values[key] = value
+    return name, values
 
 
-def score(picture: Union[Picture, npt.ArrayLike, Mapping[str, npt.ArrayLike]], truth: Picture, metrics: str = "",
-          limit_rmse: Optional[float] = None, quantity: str = "visibility") -> Score:
-    """Scores a picture's "visibility" against the truth's visibility, or with quantity="irradiance" against its irradiance
-    ratio, which renderers that integrate the light yield. `picture` may be an array [height, width] or channels by name. `metrics`:
-    comma-separated error, significance, verdict, diagnosis, similarity; empty is all."""
-    if not isinstance(picture, Picture):
-        picture = Picture.from_arrays(picture if isinstance(picture, Mapping) else {"visibility": picture})
-    answer = _core.score(picture._image, truth._image, _core.eye_of(truth._image), metrics, limit_rmse,
-                         quantity)
-    record = json.loads(answer.json)
-    error = record["error"]
-    faults = record.get("faults")
-    return Score(
-        record=record,
-        fault_map=answer.fault_map,
-        surfaces_agree=record["parity"] is None or record["parity"]["passes"],
-        rmse=Interval(**error["rmse"]) if error and error["rmse"] else None,
-        bias=error["bias"] if error else None,
-        worst_fault=faults["worst"] if faults else None,
-    )
+def _word(value: ParameterValue) -> str:
+    return str(value).lower() if isinstance(value, bool) else str(value)
+
+
+def _library() -> str:
+    return os.path.join(_core.data_folder(), "scenes", "library")
+
+
+def _assets(assets: Optional[str]) -> str:
+    return assets if assets is not None else os.environ.get("UMBRAMETER_ASSETS", "")
+
+
+def _engine_places() -> Tuple[str, str]:
+    folder = os.path.join(_core.data_folder(), "engines")
+    return folder, os.environ.get("UMBRAMETER_ENGINES") or os.path.join(folder, "installed")
 
 
 def _require_size(width: int, height: int) -> None:

@@ -16,7 +16,7 @@ ARROWS = {
     "study": {"core", "scenes", "metrics"},
     "report": {"core", "study"},
     "cli": {"core", "scenes", "metrics", "reference", "realtime", "engines", "study", "report"},
-    "python": {"core", "scenes", "metrics", "reference", "realtime", "study"},
+    "python": {"core", "scenes", "metrics", "reference", "realtime", "engines", "study"},
 }
 # Include prefix -> where it may appear.
 HOMES = {

@@ -8,6 +8,7 @@ import ast
 import json
 import os
 import pathlib
+import re
 import signal
 import subprocess
 import sys
@@ -157,20 +158,73 @@ class Module(unittest.TestCase):
         self.assertEqual(child.wait(timeout=120), 7)
         child.stdout.close()
 
-    def test_stubs_name_what_is_there(self):
+    def test_penumbra_profiles_are_the_record_s(self):
+        score = um.score(self.picture, self.truth)
+        profiles = score.profiles()
+        accepted = profiles[profiles["outcome"] == um.PROFILE_OUTCOMES.index("accepted")]
+        told = score.record["penumbra"]
+        self.assertGreater(told["accepted"], 0)
+        self.assertEqual(len(accepted), told["accepted"])
+        self.assertEqual(np.count_nonzero(accepted["is_partial"]), told["partial"])
+        for index, name in enumerate(um.PROFILE_OUTCOMES):
+            self.assertEqual(np.count_nonzero(profiles["outcome"] == index), told["profiles"][name], name)
+        self.assertAlmostEqual(np.median(accepted["width_octaves"]), told["width_octaves"]["median"], places=6)
+        self.assertEqual(np.count_nonzero(score.scored), score.record["error"]["scored_pixels"])
+
+    def test_a_walk_crosses_the_penumbra(self):
+        score = um.score(self.picture, self.truth)
+        profiles = score.profiles()
+        widest = profiles[np.argmax(np.where(profiles["outcome"] == 0, profiles["reference_width_px"], 0.0))]
+        walk = score.walk(int(widest["x"]), int(widest["y"]))
+        visibility = self.truth["visibility"][walk.rows, walk.columns]
+        self.assertLess(visibility[0], 0.05)
+        self.assertGreater(visibility[-1], 0.95)
+        self.assertTrue((np.diff(walk.distance_world) > 0).all())
+        self.assertEqual(np.count_nonzero(walk.distance_world == 0.0), 1)
+        with self.assertRaisesRegex(um.InputError, "is not in a picture of 96 x 54 px"):
+            score.walk(96, 0)
+        with self.assertRaisesRegex(um.InputError, "no penumbra passes through pixel"):
+            score.walk(0, 53)
+
+    def test_the_pages_examples_run(self):
+        root = pathlib.Path(__file__).resolve().parents[2]
+        for page, least in (("README.md", 1), ("docs/api.md", 2)):
+            blocks = re.findall(r"^```python\n(.*?)^```", (root / page).read_text(), re.M | re.S)
+            self.assertGreaterEqual(len(blocks), least, page)
+            for block in blocks:
+                with tempfile.TemporaryDirectory() as folder:
+                    subprocess.run([sys.executable, "-c", block], check=True, cwd=folder, stdout=subprocess.DEVNULL)
+
+    def test_stubs_say_what_is_there(self):
         stub = pathlib.Path(um.__file__).with_name("_core.pyi").read_text()
         said, there = {}, um._core
         for node in ast.parse(stub).body:
             if isinstance(node, ast.ClassDef):
-                said[node.name] = {n.name for n in node.body if isinstance(n, ast.FunctionDef)} - {"__init__"}
+                said[node.name] = {n.name: n for n in node.body if isinstance(n, ast.FunctionDef)}
             elif isinstance(node, ast.FunctionDef):
-                said[node.name] = None
+                said[node.name] = node
             elif isinstance(node, ast.AnnAssign):
                 said[node.target.id] = None
         self.assertEqual({n for n in dir(there) if not n.startswith("_")}, set(said))
-        for name, methods in said.items():
+        compared = 0
+        for name, node in said.items():
+            methods = node if isinstance(node, dict) else {}
             if methods:
-                self.assertEqual({m for m in dir(getattr(there, name)) if not m.startswith("_")}, methods, name)
+                self.assertEqual({m for m in dir(getattr(there, name)) if not m.startswith("_")}, set(methods) - {"__init__"}, name)
+            functions = methods if methods else ({} if node is None else {"": node})
+            for method, function in functions.items():
+                real = getattr(getattr(there, name), method) if method else getattr(there, name)
+                if isinstance(real, property):
+                    self.assertEqual([d.id for d in function.decorator_list], ["property"], f"{name}.{method}")
+                    continue
+                arguments = re.match(r"\w+\((.*)\)", real.__doc__).group(1)
+                names = re.findall(r"(?:^|, )(\w+): ", re.sub(r"\[[^]]*\]", "", arguments))
+                stubbed = [argument.arg for argument in function.args.args]
+                if all(name != "arg0" for name in names):
+                    self.assertEqual(names, stubbed, f"{name}.{method}")
+                self.assertEqual(len(names), len(stubbed), f"{name}.{method}")
+                compared += 1
+        self.assertGreater(compared, 12)
         for name in um.__all__:
             self.assertTrue(hasattr(um, name), name)
 
