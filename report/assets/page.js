@@ -119,6 +119,7 @@ function start() {
   for (const stage of document.querySelectorAll(".stage")) watcher.observe(stage);
   window.addEventListener("hashchange", followLink);
   followLink();
+  performance.mark("numbers");  // bench/page.py
   fillOverview();
 }
 

@@ -12,9 +12,16 @@ window.take_planes = (id, planes) => {
   awaitedFiles.delete(id);
 };
 
-function packedPlanes(id) {
+// Pixels stand behind the scripts, so that numbers are seen before all of them are read.
+const allRead = new Promise(done => {
+  if (document.readyState === "loading") document.addEventListener("DOMContentLoaded", done, {once: true});
+  else done();
+});
+
+async function packedPlanes(id) {
+  await allRead;
   const block = document.getElementById(id);
-  if (block) return Promise.resolve(JSON.parse(block.textContent));
+  if (block) return JSON.parse(block.textContent);
   return new Promise((resolve, reject) => {
     awaitedFiles.set(id, {resolve});
     const script = document.createElement("script");
