@@ -110,17 +110,16 @@ constexpr std::array kStressFields = std::to_array<string_view>({"title:text",
                                                                  "ranges[].row:text",
                                                                  "ranges[].axis:text",
                                                                  "ranges[].applies:flag",
-                                                                 "ranges[].why_not:text",
-                                                                 "ranges[].first:text",
-                                                                 "ranges[].last:text",
-                                                                 "ranges[].held:number",
-                                                                 "ranges[].values:number",
-                                                                 "ranges[].break_before?.value:text",
-                                                                 "ranges[].break_after?.value:text",
                                                                  "cells[].axis:text",
                                                                  "cells[].row:text",
                                                                  "cells[].value:number",
                                                                  "cells[].rmse?.value:number"});
+
+constexpr std::array kRangeFields =
+    std::to_array<string_view>({"first:text", "last:text", "held:number", "values:number",
+                                "break_before?.value:text", "break_after?.value:text"});
+
+constexpr std::array kNoRangeFields = std::to_array<string_view>({"why_not:text"});
 
 /// What a person calls it: "leak", "wrong width", "refused".
 void add_words(Json& cell) {
@@ -132,6 +131,14 @@ void add_words(Json& cell) {
     return;
   }
   fail_input(fmt::format("no outcome of a stress run is called '{}'", name));
+}
+
+void add_range_words(Json& range) {
+  if (!range.at("applies").get<bool>()) return require_fields(range, kNoRangeFields);
+  require_fields(range, kRangeFields);
+  for (const char* end : {"break_before", "break_after"}) {
+    if (!range.at(end).is_null()) add_words(range.at(end));
+  }
 }
 
 Json bench_data(const std::filesystem::path& folder) {
@@ -158,11 +165,7 @@ Json stress_data(const std::filesystem::path& folder) {
     Json map = document;
     map["file"] = file;
     for (Json& cell : map["cells"]) add_words(cell);
-    for (Json& range : map["ranges"]) {
-      for (const char* end : {"break_before", "break_after"}) {
-        if (!range[end].is_null()) add_words(range[end]);
-      }
-    }
+    for (Json& range : map["ranges"]) add_range_words(range);
     maps.push_back(std::move(map));
   });
   return maps;
