@@ -54,7 +54,7 @@ function cropCanvas(bitmap, window, size, label) {
 function worstSentence(scene, run, fault) {
   const text = palette.faults.find(one => one.name === fault.name)?.text ?? fault.name;
   const share = 100 * fault.part / run.error.mae;
-  const cause = run.causes?.by_substitution?.faults?.find(one => one.fault === fault.name)?.sentence;
+  const cause = run.fault_causes?.faults?.find(one => one.fault === fault.name)?.sentence;
   return `${text}. It makes ${share.toFixed(0)} % of the mean |error| ${run.error.mae.toFixed(4)}.` + (cause ? ` Tried again: ${cause}.` : "");
 }
 
