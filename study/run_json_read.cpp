@@ -118,7 +118,7 @@ TechniqueResult read_technique(const nlohmann::json& json) {
   run.fault_picture_file = json.at("fault_picture_file");
   run.judgement = read_judgement(json);
   run.diagnosis = read_diagnosis(json);
-  if (run.diagnosis) run.fault_causes = read_fault_causes(json.at("causes").value("by_substitution", Json()));
+  run.fault_causes = read_fault_causes(json.value("fault_causes", Json()));
   run.temporal = read_temporal(json.at("temporal"));
   run.similarity = read_similarity(json.at("similarity"));
   run.maps_file = json.at("maps_file");

@@ -75,7 +75,7 @@ Json technique_json(const TechniqueResult& run) {
             {"fault_picture_file", run.fault_picture_file}};
   add_judgement(run.judgement, json);
   add_diagnosis(run.diagnosis, json);
-  if (run.fault_causes) json["causes"]["by_substitution"] = fault_causes_json(run.fault_causes);
+  if (run.fault_causes) json["fault_causes"] = fault_causes_json(run.fault_causes);
   json["temporal"] = temporal_json(run.temporal);
   json["similarity"] = similarity_json(run.similarity);
   json["maps_file"] = run.maps_file;

@@ -78,7 +78,7 @@ function tuningSentence(scene, run) {
 // What is wrong, why, and what mends it, as far as each is known.
 function worstSentences(scene, run, fault) {
   const text = palette.faults.find(one => one.name === fault.name)?.text ?? fault.name;
-  const share = 100 * fault.part / run.error.mae, cause = run.causes?.by_substitution?.faults?.find(one => one.fault === fault.name)?.sentence;
+  const share = 100 * fault.part / run.error.mae, cause = run.fault_causes?.faults?.find(one => one.fault === fault.name)?.sentence;
   const sentences = [`${text[0].toUpperCase()}${text.slice(1)}; ${share.toFixed(0)} % of the mean |error| ${run.error.mae.toFixed(4)}.`,
                      cause ? `Why: ${cause}.` : "", tuningSentence(scene, run)];
   return sentences.filter(sentence => sentence);

@@ -23,7 +23,7 @@ class Causes : public CliTest {
                     "--height", "90", "--spp", "64", "--frames", "0", "--metrics", "diagnosis", "--json"});
     EXPECT_EQ(result.exit_code, 0) << result.err;
     const json all = json::parse(result.out);
-    return all.at("scenes").at(0).at("techniques").at(0).at("causes").value("by_substitution", json());
+    return all.at("scenes").at(0).at("techniques").at(0).value("fault_causes", json());
   }
 
   static json fault_of(const json& causes, const std::string& fault) {
