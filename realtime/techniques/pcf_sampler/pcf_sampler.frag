@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Percentage-closer filtering as comparison samplers do it: one reference depth a read.
+#include "blended_tap.glsl"
 #include "pixel.glsl"
 
 #ifdef linear_map_size
@@ -14,9 +15,8 @@ float compared(vec3 uv_depth) { return texture(nearest_map, uv_depth); }
 float reference_distance(Receiver receiver, vec2 p_texels) {
   float z = receiver.p_light.z;
   if (TAP_PLANE != 0) {
-    float diagonal_world = kReachTexels * sqrt(2.0) * texel_world(view_light, z);
     z = plane_distance_at(view_light, receiver, lateral_of_texel(view_light, p_texels));
-    z -= diagonal_world * receiver.slope;
+    z = nearest_within(view_light, receiver, z, kReachTexels);
   }
   return z - receiver.bias_world;
 }
