@@ -4,6 +4,7 @@
 #include "cli/console.h"
 #include "cli/sweep_verbs.h"
 #include "cli/verbs.h"
+#include "cli/view_verb.h"
 #include "core/names.h"
 #include "core/version.h"
 
@@ -43,11 +44,12 @@ struct Group {
 
 /// The headings of --help; a verb that none of them lists stands under CLI11's own.
 void group_verbs(CLI::App& app) {
-  const Group groups[] = {{"Measure", {"validate", "score", "bench", "tune"}},
-                          {"Studies of many runs", {"plan", "sweep", "merge", "export", "report"}},
-                          {"Guard against regressions", {"regress", "stress", "selftest"}},
-                          {"Look at one thing", {"reference", "render", "scene", "techniques", "engines"}},
-                          {"Help", {"doctor", "help"}}};
+  const Group groups[] = {
+      {"Measure", {"validate", "score", "bench", "tune"}},
+      {"Studies of many runs", {"plan", "sweep", "merge", "export", "report"}},
+      {"Guard against regressions", {"regress", "stress", "selftest"}},
+      {"Look at one thing", {"view", "reference", "render", "scene", "techniques", "engines"}},
+      {"Help", {"doctor", "help"}}};
   for (const Group& group : groups) {
     for (const char* name : group.verbs) app.get_subcommand(name)->group(group.title);
   }
@@ -74,6 +76,7 @@ std::optional<int> parse_command_line(int argc, const char* const* argv, CLI::Ap
   add_export(app, line);
   add_reference(app, line);
   add_render(app, line);
+  add_view(app, line);
   add_score(app, line);
   add_report(app, line);
   add_techniques(app, line);

@@ -15,7 +15,8 @@ ARROWS = {
     "engines": {"core", "scenes"},
     "study": {"core", "scenes", "metrics"},
     "report": {"core", "study"},
-    "cli": {"core", "scenes", "metrics", "reference", "realtime", "engines", "study", "report"},
+    "view": {"core", "scenes", "metrics", "reference", "realtime", "study"},
+    "cli": {"core", "scenes", "metrics", "reference", "realtime", "engines", "study", "report", "view"},
     "python": {"core", "scenes", "metrics", "reference", "realtime", "engines", "study"},
 }
 # Include prefix -> where it may appear.
@@ -23,7 +24,10 @@ HOMES = {
     "toml++/": ("core/toml.cpp",),
     "CGAL/": ("reference/exact/",),
     "embree3/": ("reference/",),
-    "epoxy/": ("realtime/", "tests/gpu/"),
+    "epoxy/": ("realtime/", "view/", "tests/gpu/"),
+    "GLFW/": ("view/",),
+    "imgui": ("view/",),
+    "backends/imgui": ("view/",),
     "EGL/": ("realtime/",),
     "OpenImageIO/": ("core/image_io.cpp", "cli/"),
     "tiny_obj_loader.h": ("scenes/",),

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// What is in the window as files that every verb reads: scene, preset, study.
+
+#include "core/parameters.h"
+#include "scenes/scene.h"
+
+#include <filesystem>
+#include <string>
+
+namespace umbrameter {
+
+/// A number, text or boolean as TOML has it, to the last bit.
+std::string toml_number(double value);
+std::string toml_text(const ParameterValue& value);
+
+/// The keys of a [camera], near plane included, and of a [[light]]; one a line.
+std::string camera_keys(const Camera& camera);
+std::string light_keys(const Light& light);
+
+/// The scene file's text with the camera and the one light given, everything else as it stands. Mesh files beside
+/// `scene_file` are named so that they are found from `target`'s folder. Error{input} for a scene file that is no TOML.
+std::string scene_toml(const std::filesystem::path& scene_file, const std::filesystem::path& target,
+                       const Camera& camera, const Light& light);
+
+/// A preset file (docs/tuning.md) of every value that is not the default.
+std::string view_preset_toml(const std::string& technique, std::span<const Parameter> parameters,
+                             const ParameterValues& values);
+
+/// A study (docs/studies.md) of the technique in the scene file `scene`.
+std::string view_study_toml(const std::string& scene, const std::string& technique,
+                            std::span<const Parameter> parameters, const ParameterValues& values,
+                            int width_px, int height_px);
+
+}  // namespace umbrameter
