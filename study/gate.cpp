@@ -61,6 +61,14 @@ std::optional<double> hardening(const GateRun& run) {
   return std::abs(*run.diagnosis->contact_hardening.slope - 1.0);
 }
 
+// Of both slopes' intervals.
+double hardening_doubt(const GateRun& run, const GateRun* baseline) {
+  const auto margin_of = [](const GateRun& r) {
+    return r.diagnosis ? r.diagnosis->contact_hardening.slope_margin.value_or(0.0) : 0.0;
+  };
+  return std::hypot(margin_of(run), baseline != nullptr ? margin_of(*baseline) : 0.0);
+}
+
 // Fine shadows differ from the 3 x 3 mean without noise; what the truth has is none. A difference of squares would
 // make much of a fluctuation where the truth itself has a lot.
 std::optional<double> noise(const GateRun& run) {
@@ -204,7 +212,7 @@ GateVerdict judge_gate(const GateRun& run, const GateRun* baseline, bool worse, 
       baseline != nullptr ? std::max(moved, shrunk(run, *baseline, FaultClass::explained)) : 0.0;
   add(GateClass::softness, penumbra_share, limits.fault, named);
   add(GateClass::softness, width, limits.softness, doubt(run, baseline, &PenumbraNumbers::width_octaves));
-  add(GateClass::hardening, hardening, limits.hardening);
+  add(GateClass::hardening, hardening, limits.hardening, hardening_doubt(run, baseline));
   add(GateClass::offset, offset, limits.offset, doubt(run, baseline, &PenumbraNumbers::offset_widths));
   add(GateClass::noise, noise, limits.noise);
   add(GateClass::banding, banding, limits.banding);

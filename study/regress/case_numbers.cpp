@@ -14,6 +14,7 @@ constexpr size_t kFirstFault = static_cast<size_t>(FaultClass::acne);  // before
 constexpr const char* kWidth = "width_octaves";
 constexpr const char* kOffset = "offset_widths";
 constexpr const char* kSlope = "hardening_slope";
+constexpr const char* kSlopeMargin = "hardening_slope_margin";
 constexpr const char* kNoise = "noise";
 constexpr const char* kTruthNoise = "reference_noise";
 constexpr const char* kBanding = "banding";
@@ -59,6 +60,7 @@ Measures measures_of(const Diagnosis& diagnosis) {
   set(measures, kWidth, diagnosis.penumbra.width_octaves);
   set(measures, kOffset, diagnosis.penumbra.offset_widths);
   set(measures, kSlope, diagnosis.contact_hardening.slope);
+  set(measures, kSlopeMargin, diagnosis.contact_hardening.slope_margin);
   set(measures, kNoise, diagnosis.causes.noise);
   set(measures, kTruthNoise, diagnosis.causes.reference_noise);
   set(measures, kBanding, diagnosis.causes.banding);
@@ -72,6 +74,7 @@ Diagnosis diagnosis_of(const Measures& measures) {
   diagnosis.penumbra.width_octaves = get_spread(measures, kWidth);
   diagnosis.penumbra.offset_widths = get_spread(measures, kOffset);
   diagnosis.contact_hardening.slope = get(measures, kSlope);
+  diagnosis.contact_hardening.slope_margin = get(measures, kSlopeMargin);
   diagnosis.causes.noise = get(measures, kNoise);
   diagnosis.causes.reference_noise = get(measures, kTruthNoise);
   diagnosis.causes.banding = get(measures, kBanding);
@@ -84,8 +87,8 @@ const std::vector<std::string>& measure_names() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> all = {"rmse"};
     for (size_t k = kFirstFault; k < kFaultClasses; ++k) all.push_back(fault_name(k));
-    all.insert(all.end(),
-               {kWidth, se_name(kWidth), kOffset, se_name(kOffset), kSlope, kNoise, kTruthNoise, kBanding});
+    all.insert(all.end(), {kWidth, se_name(kWidth), kOffset, se_name(kOffset), kSlope, kSlopeMargin, kNoise,
+                           kTruthNoise, kBanding});
     return all;
   }();
   return names;

@@ -100,6 +100,17 @@ TEST(Gate, WhatTheBaselineDoesNotLetMeasureIsNotCompared) {
   EXPECT_EQ(judge_gate(run, &baseline, false).kind, GateClass::hardening);
 }
 
+TEST(Gate, ASlopeIsDoubtfulByItsInterval) {
+  GateRun run = clean_run();
+  run.diagnosis->contact_hardening.slope = 0.5;
+  GateRun baseline = clean_run();
+  baseline.diagnosis->contact_hardening.slope = 1.0;
+  EXPECT_EQ(judge_gate(run, &baseline, false).kind, GateClass::hardening);
+  run.diagnosis->contact_hardening.slope_margin = 0.15;
+  baseline.diagnosis->contact_hardening.slope_margin = 0.15;  // .21 together
+  EXPECT_TRUE(judge_gate(run, &baseline, false).passes());
+}
+
 TEST(Gate, GrainIsNotBanding) {
   GateRun run = clean_run();
   run.diagnosis->causes.banding = 0.9;
