@@ -43,9 +43,10 @@ enum class Sign : uint8_t {
   separate,    // it has a ridge and overlaps none
   touching,    // contact that the picture or a bias tells, not the width of texels alone
   blurred,     // the outskirt of a true edge that is drawn wider on both sides: metrics/blurred_edge.h
+  wider,       // the nearest penumbra is drawn wider than the envelope excuses
   alone,       // near, and no penumbra that reaches further explains it: metrics/standing_alone.h
 };
-inline constexpr size_t kSigns = 11;
+inline constexpr size_t kSigns = 12;
 using Signs = uint16_t;  // bit 1 << Sign
 
 /// What a pixel would be blamed for on its own; pixels of one kind make up a piece of a mixed component.

@@ -100,6 +100,7 @@ bool is_softness(const Evidence& e) {
 }
 
 FaultClass softness(const Evidence& e) {
+  if (e.mostly(Sign::wider)) return FaultClass::penumbra_too_wide;
   return e.of(Sign::overlap) > e.of(Sign::separate) ? FaultClass::overlap : FaultClass::penumbra;
 }
 
