@@ -137,9 +137,24 @@ const GateMeasure& of(const std::vector<GateMeasure>& measures, GateClass kind) 
                        [&](const GateMeasure& m) { return m.kind == kind; });
 }
 
-// A wrong slope makes widths wrong, and grain is made of few levels: the cause goes first.
-std::optional<GateClass> kind_of_penumbra(const std::vector<GateMeasure>& measures, size_t shapes) {
-  if (of(measures, GateClass::hardening).exceeds()) return GateClass::hardening;
+// Whether some penumbrae are, or may be, narrower than the truth's and the baseline's by more than widths may err.
+bool any_too_narrow(const GateRun& run, const GateRun* baseline, const GateLimits& limits) {
+  const auto least = [](const GateRun& r) -> std::optional<double> {
+    if (!r.diagnosis || !r.diagnosis->penumbra.width_octaves) return std::nullopt;
+    return r.diagnosis->penumbra.width_octaves->p5;
+  };
+  const auto narrowest = least(run);
+  if (!narrowest) return true;
+  const double before = baseline != nullptr ? std::min(0.0, least(*baseline).value_or(0.0)) : 0.0;
+  return *narrowest < before - limits.softness.excess;
+}
+
+// A wrong slope makes widths wrong, and grain is made of few levels: the cause goes first. A filter too wide everywhere
+// widens narrow penumbrae most, and its slope is no fault of its own.
+std::optional<GateClass> kind_of_penumbra(const std::vector<GateMeasure>& measures, size_t shapes,
+                                          bool is_narrow) {
+  if (of(measures, GateClass::hardening).exceeds())
+    return is_narrow ? GateClass::hardening : GateClass::penumbra_too_wide;
   const bool is_grain = of(measures, GateClass::noise).exceeds();
   const GateMeasure* worst = largest(measures, shapes, measures.size(), [&](const GateMeasure& m) {
     return is_grain && m.kind == GateClass::banding ? 0.0 : m.severity();
@@ -158,7 +173,8 @@ bool is_too_wide(const GateRun& run, const GateRun* baseline) {
   return wide > 0.5 * all && wide > 0.0;
 }
 
-std::optional<GateClass> main_fault(const std::vector<GateMeasure>& measures, const GateMeasure& error) {
+std::optional<GateClass> main_fault(const std::vector<GateMeasure>& measures, const GateMeasure& error,
+                                    bool is_narrow) {
   const size_t shares = kFaults.size() + 1;  // the last one: of penumbrae
   const GateMeasure* fault = largest(measures, 0, shares, excess);
   // A filter of the wrong size loses thin shadows, too.
@@ -166,7 +182,7 @@ std::optional<GateClass> main_fault(const std::vector<GateMeasure>& measures, co
   const bool is_lost = fault != nullptr && fault->kind == GateClass::lost_shadow && is_hardening &&
                        of(measures, GateClass::softness).exceeds();
   if (fault != nullptr && fault->kind != GateClass::softness && !is_lost) return fault->kind;
-  if (const auto kind = kind_of_penumbra(measures, shares)) return kind;
+  if (const auto kind = kind_of_penumbra(measures, shares, is_narrow)) return kind;
   if (fault != nullptr) return fault->kind;
   return error.exceeds() ? std::optional(GateClass::error) : std::nullopt;
 }
@@ -219,7 +235,7 @@ GateVerdict judge_gate(const GateRun& run, const GateRun* baseline, bool worse, 
   std::vector<GateMeasure> causes = verdict.measures;
   add(GateClass::error, rmse, limits.error);
   if (baseline != nullptr && !worse) verdict.measures.back().value.reset();
-  verdict.kind = main_fault(causes, verdict.measures.back());
+  verdict.kind = main_fault(causes, verdict.measures.back(), any_too_narrow(run, baseline, limits));
   if (verdict.kind == GateClass::softness && is_too_wide(run, baseline))
     verdict.kind = GateClass::penumbra_too_wide;
   return verdict;

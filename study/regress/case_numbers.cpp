@@ -33,10 +33,15 @@ std::string se_name(const char* name) {
   return std::string(name) + "_se";
 }
 
+std::string least_name(const char* name) {
+  return std::string(name) + "_p5";
+}
+
 void set(Measures& measures, const char* name, const std::optional<Spread>& spread) {
   if (!spread) return;
   measures[name] = spread->rmse;
   measures[se_name(name)] = spread->rmse_se;
+  measures[least_name(name)] = spread->p5;
 }
 
 std::optional<double> get(const Measures& measures, const std::string& name) {
@@ -50,6 +55,7 @@ std::optional<Spread> get_spread(const Measures& measures, const char* name) {
   Spread spread;
   spread.rmse = *value;
   spread.rmse_se = get(measures, se_name(name)).value_or(0.0);
+  spread.p5 = get(measures, least_name(name)).value_or(0.0);
   return spread;
 }
 
@@ -87,8 +93,8 @@ const std::vector<std::string>& measure_names() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> all = {"rmse"};
     for (size_t k = kFirstFault; k < kFaultClasses; ++k) all.push_back(fault_name(k));
-    all.insert(all.end(), {kWidth, se_name(kWidth), kOffset, se_name(kOffset), kSlope, kSlopeMargin, kNoise,
-                           kTruthNoise, kBanding});
+    all.insert(all.end(), {kWidth, se_name(kWidth), least_name(kWidth), kOffset, se_name(kOffset),
+                           least_name(kOffset), kSlope, kSlopeMargin, kNoise, kTruthNoise, kBanding});
     return all;
   }();
   return names;

@@ -111,6 +111,20 @@ TEST(Gate, ASlopeIsDoubtfulByItsInterval) {
   EXPECT_TRUE(judge_gate(run, &baseline, false).passes());
 }
 
+TEST(Gate, AWrongSlopeWithoutNarrowPenumbraeIsAFilterTooWide) {
+  GateRun run = with_share(FaultClass::penumbra, 0.01);
+  run.diagnosis->contact_hardening.slope = 0.5;
+  run.diagnosis->penumbra.width_octaves = Spread{0.8, 0.1, 2.0, 1.0};
+  EXPECT_EQ(judge_gate(run, nullptr, false).kind, GateClass::penumbra_too_wide);
+  run.diagnosis->penumbra.width_octaves = Spread{0.8, -0.5, 2.0, 1.0};
+  EXPECT_EQ(judge_gate(run, nullptr, false).kind, GateClass::hardening);
+  // What the baseline has is no sign of the run's.
+  GateRun baseline = clean_run();
+  baseline.diagnosis->contact_hardening.slope = 1.0;
+  baseline.diagnosis->penumbra.width_octaves = Spread{0.0, -0.4, 0.4, 0.2};
+  EXPECT_EQ(judge_gate(run, &baseline, false).kind, GateClass::penumbra_too_wide);
+}
+
 TEST(Gate, GrainIsNotBanding) {
   GateRun run = clean_run();
   run.diagnosis->causes.banding = 0.9;
