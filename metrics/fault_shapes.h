@@ -34,8 +34,9 @@ inline Components components_of(const FaultInput& input, std::span<const uint8_t
 /// them right. Empty without any.
 std::vector<uint8_t> thin_shapes(const FaultInput& input);
 
-/// Why a shadow is lost: it is thinner than a texel, the terminator's, its blockers are in contact, or none of these.
-enum class Loss : uint8_t { thin, terminator, contact, other };
+/// Why a shadow is lost: it is thinner than a texel; blurred away, so that half of its shade or more is found around it;
+/// the terminator's; its blockers are in contact; or none of these.
+enum class Loss : uint8_t { thin, blurred, terminator, contact, other };
 
 /// 1 on the 8-connected shapes of R < .5 that hardly meet V < .5, lost for that reason, the first that holds. Shapes of fewer
 /// than min_component_px pixels are left out. `thin` as from thin_shapes. Empty without any.

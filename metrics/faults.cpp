@@ -229,6 +229,7 @@ Faults classify_faults(const Image& test, const Image& reference, std::span<cons
   }
   const std::vector<uint8_t> thin = thin_shapes(input);
   claim_shapes(input, 1.0f, lost_shapes(input, thin, Loss::thin), FaultClass::resolution, out);
+  claim_shapes(input, 1.0f, lost_shapes(input, thin, Loss::blurred), FaultClass::penumbra_too_wide, out);
   claim_shapes(input, 1.0f, lost_shapes(input, thin, Loss::terminator), FaultClass::terminator, out);
   claim_shapes(input, 1.0f, lost_shapes(input, thin, Loss::other), FaultClass::lost_shadow, out);
   claim_shapes(input, 1.0f, lost_shapes(input, thin, Loss::contact), FaultClass::peter_panning, out);

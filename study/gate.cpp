@@ -14,6 +14,8 @@ constexpr std::array<std::string_view, kGateClasses> kNames = {
     "bleed",     "geometric_leak", "lost_shadow",  "softness",   "penumbra_too_wide",
     "hardening", "offset",         "noise",        "banding",    "error"};
 
+constexpr double kCoarser = 1.1;  // of the baseline's texels; less is how a map is laid over a scene
+
 struct FaultPair {
   FaultClass fault;
   GateClass kind;
@@ -121,6 +123,16 @@ double excess(const GateMeasure& m) {
   return m.value.value_or(0.0) - m.baseline.value_or(0.0);
 }
 
+// Whether the map's texels are larger than the baseline's, as far as both are known. Edges that no coarser a map draws worse
+// are no fault of its resolution.
+bool may_be_coarser(const GateRun& run, const GateRun* baseline) {
+  const auto footprint = [](const GateRun& r) {
+    return r.diagnosis ? r.diagnosis->causes.median_footprint_px : std::nullopt;
+  };
+  if (baseline == nullptr || !footprint(run) || !footprint(*baseline)) return true;
+  return *footprint(run) > kCoarser * *footprint(*baseline);
+}
+
 template <class Key>
 const GateMeasure* largest(const std::vector<GateMeasure>& measures, size_t begin, size_t end,
                            const Key& key) {
@@ -173,16 +185,24 @@ bool is_too_wide(const GateRun& run, const GateRun* baseline) {
   return wide > 0.5 * all && wide > 0.0;
 }
 
+// What the two runs say of a fault beside its measures.
+struct Hints {
+  bool is_narrow = false, is_coarser = false;
+};
+
 std::optional<GateClass> main_fault(const std::vector<GateMeasure>& measures, const GateMeasure& error,
-                                    bool is_narrow) {
+                                    const Hints& hints) {
   const size_t shares = kFaults.size() + 1;  // the last one: of penumbrae
   const GateMeasure* fault = largest(measures, 0, shares, excess);
+  const GateMeasure& penumbrae = measures[shares - 1];
+  if (fault != nullptr && fault->kind == GateClass::resolution && !hints.is_coarser && penumbrae.exceeds())
+    fault = &penumbrae;
   // A filter of the wrong size loses thin shadows, too.
   const bool is_hardening = of(measures, GateClass::hardening).exceeds();
   const bool is_lost = fault != nullptr && fault->kind == GateClass::lost_shadow && is_hardening &&
                        of(measures, GateClass::softness).exceeds();
   if (fault != nullptr && fault->kind != GateClass::softness && !is_lost) return fault->kind;
-  if (const auto kind = kind_of_penumbra(measures, shares, is_narrow)) return kind;
+  if (const auto kind = kind_of_penumbra(measures, shares, hints.is_narrow)) return kind;
   if (fault != nullptr) return fault->kind;
   return error.exceeds() ? std::optional(GateClass::error) : std::nullopt;
 }
@@ -235,7 +255,8 @@ GateVerdict judge_gate(const GateRun& run, const GateRun* baseline, bool worse, 
   std::vector<GateMeasure> causes = verdict.measures;
   add(GateClass::error, rmse, limits.error);
   if (baseline != nullptr && !worse) verdict.measures.back().value.reset();
-  verdict.kind = main_fault(causes, verdict.measures.back(), any_too_narrow(run, baseline, limits));
+  verdict.kind = main_fault(causes, verdict.measures.back(),
+                            {any_too_narrow(run, baseline, limits), may_be_coarser(run, baseline)});
   if (verdict.kind == GateClass::softness && is_too_wide(run, baseline))
     verdict.kind = GateClass::penumbra_too_wide;
   return verdict;

@@ -18,6 +18,7 @@ constexpr const char* kSlopeMargin = "hardening_slope_margin";
 constexpr const char* kNoise = "noise";
 constexpr const char* kTruthNoise = "reference_noise";
 constexpr const char* kBanding = "banding";
+constexpr const char* kFootprint = "footprint_px";
 
 std::string fault_name(size_t k) {
   return std::string(name_of(static_cast<FaultClass>(k)));
@@ -70,6 +71,7 @@ Measures measures_of(const Diagnosis& diagnosis) {
   set(measures, kNoise, diagnosis.causes.noise);
   set(measures, kTruthNoise, diagnosis.causes.reference_noise);
   set(measures, kBanding, diagnosis.causes.banding);
+  set(measures, kFootprint, diagnosis.causes.median_footprint_px);
   return measures;
 }
 
@@ -84,6 +86,7 @@ Diagnosis diagnosis_of(const Measures& measures) {
   diagnosis.causes.noise = get(measures, kNoise);
   diagnosis.causes.reference_noise = get(measures, kTruthNoise);
   diagnosis.causes.banding = get(measures, kBanding);
+  diagnosis.causes.median_footprint_px = get(measures, kFootprint);
   return diagnosis;
 }
 
@@ -93,8 +96,9 @@ const std::vector<std::string>& measure_names() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> all = {"rmse"};
     for (size_t k = kFirstFault; k < kFaultClasses; ++k) all.push_back(fault_name(k));
-    all.insert(all.end(), {kWidth, se_name(kWidth), least_name(kWidth), kOffset, se_name(kOffset),
-                           least_name(kOffset), kSlope, kSlopeMargin, kNoise, kTruthNoise, kBanding});
+    all.insert(all.end(),
+               {kWidth, se_name(kWidth), least_name(kWidth), kOffset, se_name(kOffset), least_name(kOffset),
+                kSlope, kSlopeMargin, kNoise, kTruthNoise, kBanding, kFootprint});
     return all;
   }();
   return names;

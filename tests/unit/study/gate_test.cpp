@@ -125,6 +125,22 @@ TEST(Gate, AWrongSlopeWithoutNarrowPenumbraeIsAFilterTooWide) {
   EXPECT_EQ(judge_gate(run, &baseline, false).kind, GateClass::penumbra_too_wide);
 }
 
+TEST(Gate, EdgesAreNotTheMapsFaultWhereItIsNoCoarser) {
+  GateRun baseline = clean_run();
+  baseline.diagnosis->causes.median_footprint_px = 2.0;
+  GateRun run = with_share(FaultClass::resolution, 0.02);
+  run.diagnosis->faults.by_class[static_cast<size_t>(FaultClass::penumbra_too_wide)].mean_abs_error = 0.01;
+  run.diagnosis->causes.median_footprint_px = 4.0;
+  EXPECT_EQ(judge_gate(run, &baseline, false).kind, GateClass::resolution);
+  run.diagnosis->causes.median_footprint_px = 2.0;
+  EXPECT_EQ(judge_gate(run, &baseline, false).kind, GateClass::penumbra_too_wide);
+  // Without anything wrong of penumbrae it keeps its name, and without known texels, too.
+  EXPECT_EQ(judge_gate(with_share(FaultClass::resolution, 0.02), &baseline, false).kind,
+            GateClass::resolution);
+  run.diagnosis->causes.median_footprint_px.reset();
+  EXPECT_EQ(judge_gate(run, &baseline, false).kind, GateClass::resolution);
+}
+
 TEST(Gate, GrainIsNotBanding) {
   GateRun run = clean_run();
   run.diagnosis->causes.banding = 0.9;
