@@ -111,7 +111,8 @@ bool is_blurred(const FaultInput& input, size_t i, bool is_dark, const Surroundi
   const int32_t edge = around.nearest_edge[i];
   if (edge < 0) return false;
   const Outskirts outskirts = {input.v, input.r, input.mask, input.surface, is_dark ? 1.0f : -1.0f};
-  return is_blurred_edge(outskirts, i, static_cast<size_t>(edge), input.envelope.tolerance[i]);
+  return is_blurred_edge(outskirts, i, static_cast<size_t>(edge), input.envelope.tolerance[i],
+                         around.kept[i] != 0);
 }
 
 Signs signs_of(const FaultInput& input, size_t i, float residual, bool is_dark, const Surroundings& around) {
@@ -220,7 +221,8 @@ std::vector<Evidence> gather_evidence(const FaultInput& input, std::span<const f
   return evidence;
 }
 
-Surroundings look_around(const FaultInput& input, std::span<const uint8_t> thin) {
+Surroundings look_around(const FaultInput& input, std::span<const uint8_t> thin,
+                         std::span<const uint8_t> kept) {
   std::vector<uint8_t> is_edge(input.r.size(), 0);
   const int height = input.surface.height;
   for_each_row(height, [&](int y) {
@@ -233,6 +235,7 @@ Surroundings look_around(const FaultInput& input, std::span<const uint8_t> thin)
     }
   });
   Surroundings around;
+  around.kept = kept;
   around.nearest_edge = nearest_feature(is_edge, input.surface.width, height);
   if (!thin.empty()) around.nearest_thin = nearest_feature(thin, input.surface.width, height);
   std::vector<uint8_t> seen(input.mask.size());

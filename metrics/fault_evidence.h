@@ -73,6 +73,7 @@ struct Evidence {
 struct Surroundings {
   std::vector<int32_t>
       nearest_edge;  // scored pixel with .2 < R < .8 or beside one on the other side of .5; -1 without any
+  std::span<const uint8_t> kept;      // 1 on errors that only moved shade: metrics/fault_shapes.h
   std::vector<int32_t> nearest_thin;  // pixel of a shadow thinner than a texel; empty without any
   std::vector<float>
       blurred_truth;  // metrics/blurred_edge.h; empty when the picture is not blurred as a whole
@@ -93,7 +94,8 @@ bool in_contact(const FaultInput& input, size_t i);
 /// Whether normals disagree, or a smooth mesh's facets shadow each other where the light grazes them.
 bool on_own_facets(const FaultInput& input, size_t i);
 
-/// `thin`: 1 on shadows thinner than a texel, empty without any.
-Surroundings look_around(const FaultInput& input, std::span<const uint8_t> thin);
+/// `thin`: 1 on shadows thinner than a texel, empty without any. `kept` must outlive what is returned.
+Surroundings look_around(const FaultInput& input, std::span<const uint8_t> thin,
+                         std::span<const uint8_t> kept);
 
 }  // namespace umbrameter

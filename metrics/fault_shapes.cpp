@@ -70,23 +70,6 @@ void for_wrong_pixels(const FaultInput& input, const Components& components, std
   }
 }
 
-// 1 where the connected error around has half as much shade too much as too little.
-std::vector<uint8_t> shade_is_kept(const FaultInput& input) {
-  const Components errors = components_of(
-      input, select(input, [&](size_t i) { return std::abs(input.error(i)) > input.envelope.tolerance[i]; }));
-  std::vector<double> lost(errors.count, 0.0), found(errors.count, 0.0);
-  for (size_t i = 0; i < errors.label.size(); ++i) {
-    if (errors.label[i] < 0) continue;
-    const double error = input.error(i);
-    (error > 0.0 ? lost : found)[static_cast<size_t>(errors.label[i])] += std::abs(error);
-  }
-  return select(input, [&](size_t i) {
-    if (errors.label[i] < 0) return false;
-    const size_t k = static_cast<size_t>(errors.label[i]);
-    return found[k] >= kKeptShade * lost[k];
-  });
-}
-
 void count_rim(const FaultInput& input, const Components& components, size_t i, size_t j, Shape& shape) {
   if (components.label[j] == components.label[i]) return;
   ++shape.rim;
@@ -175,13 +158,29 @@ std::vector<uint8_t> thin_shapes(const FaultInput& input) {
   return any ? thin : std::vector<uint8_t>();
 }
 
-std::vector<uint8_t> lost_shapes(const FaultInput& input, std::span<const uint8_t> thin, Loss loss) {
+std::vector<uint8_t> shade_is_kept(const FaultInput& input) {
+  const Components errors = components_of(
+      input, select(input, [&](size_t i) { return std::abs(input.error(i)) > input.envelope.tolerance[i]; }));
+  std::vector<double> lost(errors.count, 0.0), found(errors.count, 0.0);
+  for (size_t i = 0; i < errors.label.size(); ++i) {
+    if (errors.label[i] < 0) continue;
+    const double error = input.error(i);
+    (error > 0.0 ? lost : found)[static_cast<size_t>(errors.label[i])] += std::abs(error);
+  }
+  return select(input, [&](size_t i) {
+    if (errors.label[i] < 0) return false;
+    const size_t k = static_cast<size_t>(errors.label[i]);
+    return std::min(found[k], lost[k]) >= kKeptShade * std::max(found[k], lost[k]);
+  });
+}
+
+std::vector<uint8_t> lost_shapes(const FaultInput& input, std::span<const uint8_t> thin,
+                                 std::span<const uint8_t> kept, Loss loss) {
   if (loss == Loss::thin && thin.empty()) return {};
   const Components components =
       components_of(input, select(input, [&](size_t i) { return input.r[i] < 0.5f; }));
   std::vector<Shape> shapes = measure_overlap(components, input.r, input.v);
   if (!any_unmatched(input, shapes)) return {};
-  const std::vector<uint8_t> kept = shade_is_kept(input);
   for_wrong_pixels(input, components, input.r, input.v, shapes, [&](Shape& shape, size_t i) {
     shape.blurred += kept[i] != 0 && input.v[i] < 1.0 - input.settings.lit_epsilon ? 1 : 0;
     shape.contact += in_contact(input, i) ? 1 : 0;

@@ -16,6 +16,8 @@ constexpr std::array<std::string_view, kGateClasses> kNames = {
 
 constexpr double kCoarser = 1.1;  // of the baseline's texels; less is how a map is laid over a scene
 
+constexpr double kMostly = 0.8;  // as of a component that is one kind's (metrics/faults.h)
+
 struct FaultPair {
   FaultClass fault;
   GateClass kind;
@@ -161,12 +163,23 @@ bool any_too_narrow(const GateRun& run, const GateRun* baseline, const GateLimit
   return *narrowest < before - limits.softness.excess;
 }
 
+// Whether more than `part` of what the penumbrae have too much of is softness beyond the true one.
+bool is_too_wide(const GateRun& run, const GateRun* baseline, double part) {
+  if (!run.diagnosis) return false;
+  const auto more = [&](const auto& share) {
+    return share(run) - (baseline != nullptr && baseline->diagnosis ? share(*baseline) : 0.0);
+  };
+  const double all = more([](const GateRun& r) { return *penumbra_share(r); });
+  const double wide = more([](const GateRun& r) { return *fault_share(r, FaultClass::penumbra_too_wide); });
+  return wide > part * all && wide > 0.0;
+}
+
 // A wrong slope makes widths wrong, and grain is made of few levels: the cause goes first. A filter too wide everywhere
 // widens narrow penumbrae most, and its slope is no fault of its own.
 std::optional<GateClass> kind_of_penumbra(const std::vector<GateMeasure>& measures, size_t shapes,
-                                          bool is_narrow) {
+                                          bool is_blur) {
   if (of(measures, GateClass::hardening).exceeds())
-    return is_narrow ? GateClass::hardening : GateClass::penumbra_too_wide;
+    return is_blur ? GateClass::penumbra_too_wide : GateClass::hardening;
   const bool is_grain = of(measures, GateClass::noise).exceeds();
   const GateMeasure* worst = largest(measures, shapes, measures.size(), [&](const GateMeasure& m) {
     return is_grain && m.kind == GateClass::banding ? 0.0 : m.severity();
@@ -174,20 +187,10 @@ std::optional<GateClass> kind_of_penumbra(const std::vector<GateMeasure>& measur
   return worst != nullptr ? std::optional(worst->kind) : std::nullopt;
 }
 
-// Half of what the penumbrae have too much of is softness beyond the true one.
-bool is_too_wide(const GateRun& run, const GateRun* baseline) {
-  if (!run.diagnosis) return false;
-  const auto more = [&](const auto& share) {
-    return share(run) - (baseline != nullptr && baseline->diagnosis ? share(*baseline) : 0.0);
-  };
-  const double all = more([](const GateRun& r) { return *penumbra_share(r); });
-  const double wide = more([](const GateRun& r) { return *fault_share(r, FaultClass::penumbra_too_wide); });
-  return wide > 0.5 * all && wide > 0.0;
-}
-
 // What the two runs say of a fault beside its measures.
 struct Hints {
-  bool is_narrow = false, is_coarser = false;
+  bool is_blur = false;  // nothing is too narrow, and four fifths are too wide
+  bool is_coarser = false;
 };
 
 std::optional<GateClass> main_fault(const std::vector<GateMeasure>& measures, const GateMeasure& error,
@@ -202,7 +205,7 @@ std::optional<GateClass> main_fault(const std::vector<GateMeasure>& measures, co
   const bool is_lost = fault != nullptr && fault->kind == GateClass::lost_shadow && is_hardening &&
                        of(measures, GateClass::softness).exceeds();
   if (fault != nullptr && fault->kind != GateClass::softness && !is_lost) return fault->kind;
-  if (const auto kind = kind_of_penumbra(measures, shares, hints.is_narrow)) return kind;
+  if (const auto kind = kind_of_penumbra(measures, shares, hints.is_blur)) return kind;
   if (fault != nullptr) return fault->kind;
   return error.exceeds() ? std::optional(GateClass::error) : std::nullopt;
 }
@@ -255,9 +258,10 @@ GateVerdict judge_gate(const GateRun& run, const GateRun* baseline, bool worse, 
   std::vector<GateMeasure> causes = verdict.measures;
   add(GateClass::error, rmse, limits.error);
   if (baseline != nullptr && !worse) verdict.measures.back().value.reset();
-  verdict.kind = main_fault(causes, verdict.measures.back(),
-                            {any_too_narrow(run, baseline, limits), may_be_coarser(run, baseline)});
-  if (verdict.kind == GateClass::softness && is_too_wide(run, baseline))
+  const bool is_blur = is_too_wide(run, baseline, kMostly) && !any_too_narrow(run, baseline, limits);
+  const Hints hints = {is_blur, may_be_coarser(run, baseline)};
+  verdict.kind = main_fault(causes, verdict.measures.back(), hints);
+  if (verdict.kind == GateClass::softness && is_too_wide(run, baseline, 0.5))
     verdict.kind = GateClass::penumbra_too_wide;
   return verdict;
 }

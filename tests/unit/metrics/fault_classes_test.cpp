@@ -141,6 +141,7 @@ TEST(FaultClasses, AShadowWhoseShadeIsFoundAroundItIsBlurredNotLost) {
   const Faults blurred = classify_floor(test, reference);
   EXPECT_EQ(blurred.of(FaultClass::lost_shadow).pixels, 0u);
   EXPECT_EQ(blurred.of(FaultClass::peter_panning).pixels, 0u);
+  EXPECT_EQ(blurred.of(FaultClass::acne).pixels, 0u);  // the shade around, almost gone on the true edge
   EXPECT_GE(blurred.of(FaultClass::penumbra_too_wide).pixels, 4u * 36u);
   // The same shade a tenth as strong is not the shadow's.
   test = half_plane();

@@ -112,7 +112,7 @@ TEST(Gate, ASlopeIsDoubtfulByItsInterval) {
 }
 
 TEST(Gate, AWrongSlopeWithoutNarrowPenumbraeIsAFilterTooWide) {
-  GateRun run = with_share(FaultClass::penumbra, 0.01);
+  GateRun run = with_share(FaultClass::penumbra_too_wide, 0.01);
   run.diagnosis->contact_hardening.slope = 0.5;
   run.diagnosis->penumbra.width_octaves = Spread{0.8, 0.1, 2.0, 1.0};
   EXPECT_EQ(judge_gate(run, nullptr, false).kind, GateClass::penumbra_too_wide);
@@ -123,6 +123,8 @@ TEST(Gate, AWrongSlopeWithoutNarrowPenumbraeIsAFilterTooWide) {
   baseline.diagnosis->contact_hardening.slope = 1.0;
   baseline.diagnosis->penumbra.width_octaves = Spread{0.0, -0.4, 0.4, 0.2};
   EXPECT_EQ(judge_gate(run, &baseline, false).kind, GateClass::penumbra_too_wide);
+  run.diagnosis->faults.by_class[static_cast<size_t>(FaultClass::penumbra)].mean_abs_error = 0.003;
+  EXPECT_EQ(judge_gate(run, &baseline, false).kind, GateClass::hardening);
 }
 
 TEST(Gate, EdgesAreNotTheMapsFaultWhereItIsNoCoarser) {
