@@ -123,7 +123,7 @@ std::vector<FaultCase> faults_at_contacts() {
           {"hardens the wrong end", kTechnique, "contact_hardening", {hardening}, hardening_inverted()},
           {"constant width", kTechnique, "contact_hardening", {hardening}, hardening_absent()},
           bias_gone("colonnade"),
-          bias_too_large("box_contact", 40.0),
+          bias_too_large("fence", 32.0),  // a closed box's map holds its lit faces, far from where it stands
           cured_terminator("sphere_terminator"),
           gap_at_contacts("colonnade"),
           striped("colonnade"),
