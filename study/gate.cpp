@@ -151,15 +151,21 @@ const GateMeasure& of(const std::vector<GateMeasure>& measures, GateClass kind) 
                        [&](const GateMeasure& m) { return m.kind == kind; });
 }
 
+// By how many octaves the narrowest penumbrae differ from the truth's: those measured, or the end of the hardening line, which
+// penumbrae without an umbra have a say in.
+std::optional<double> narrowest_octaves(const GateRun& run) {
+  if (!run.diagnosis || !run.diagnosis->penumbra.width_octaves) return std::nullopt;
+  const double measured = run.diagnosis->penumbra.width_octaves->p5;
+  const ContactHardening& line = run.diagnosis->contact_hardening;
+  if (!line.slope || !line.intercept_octaves) return measured;
+  return std::min(measured, *line.intercept_octaves - 0.5 * line.octaves * std::abs(*line.slope - 1.0));
+}
+
 // Whether some penumbrae are, or may be, narrower than the truth's and the baseline's by more than widths may err.
 bool any_too_narrow(const GateRun& run, const GateRun* baseline, const GateLimits& limits) {
-  const auto least = [](const GateRun& r) -> std::optional<double> {
-    if (!r.diagnosis || !r.diagnosis->penumbra.width_octaves) return std::nullopt;
-    return r.diagnosis->penumbra.width_octaves->p5;
-  };
-  const auto narrowest = least(run);
+  const auto narrowest = narrowest_octaves(run);
   if (!narrowest) return true;
-  const double before = baseline != nullptr ? std::min(0.0, least(*baseline).value_or(0.0)) : 0.0;
+  const double before = baseline != nullptr ? std::min(0.0, narrowest_octaves(*baseline).value_or(0.0)) : 0.0;
   return *narrowest < before - limits.softness.excess;
 }
 

@@ -14,6 +14,8 @@ constexpr size_t kFirstFault = static_cast<size_t>(FaultClass::acne);  // before
 constexpr const char* kWidth = "width_octaves";
 constexpr const char* kOffset = "offset_widths";
 constexpr const char* kSlope = "hardening_slope";
+constexpr const char* kExcess = "hardening_intercept_octaves";
+constexpr const char* kSpan = "hardening_octaves";
 constexpr const char* kSlopeMargin = "hardening_slope_margin";
 constexpr const char* kNoise = "noise";
 constexpr const char* kTruthNoise = "reference_noise";
@@ -67,6 +69,8 @@ Measures measures_of(const Diagnosis& diagnosis) {
   set(measures, kWidth, diagnosis.penumbra.width_octaves);
   set(measures, kOffset, diagnosis.penumbra.offset_widths);
   set(measures, kSlope, diagnosis.contact_hardening.slope);
+  set(measures, kExcess, diagnosis.contact_hardening.intercept_octaves);
+  set(measures, kSpan, std::optional(diagnosis.contact_hardening.octaves));
   set(measures, kSlopeMargin, diagnosis.contact_hardening.slope_margin);
   set(measures, kNoise, diagnosis.causes.noise);
   set(measures, kTruthNoise, diagnosis.causes.reference_noise);
@@ -82,6 +86,8 @@ Diagnosis diagnosis_of(const Measures& measures) {
   diagnosis.penumbra.width_octaves = get_spread(measures, kWidth);
   diagnosis.penumbra.offset_widths = get_spread(measures, kOffset);
   diagnosis.contact_hardening.slope = get(measures, kSlope);
+  diagnosis.contact_hardening.intercept_octaves = get(measures, kExcess);
+  diagnosis.contact_hardening.octaves = get(measures, kSpan).value_or(0.0);
   diagnosis.contact_hardening.slope_margin = get(measures, kSlopeMargin);
   diagnosis.causes.noise = get(measures, kNoise);
   diagnosis.causes.reference_noise = get(measures, kTruthNoise);
@@ -98,7 +104,7 @@ const std::vector<std::string>& measure_names() {
     for (size_t k = kFirstFault; k < kFaultClasses; ++k) all.push_back(fault_name(k));
     all.insert(all.end(),
                {kWidth, se_name(kWidth), least_name(kWidth), kOffset, se_name(kOffset), least_name(kOffset),
-                kSlope, kSlopeMargin, kNoise, kTruthNoise, kBanding, kFootprint});
+                kSlope, kExcess, kSpan, kSlopeMargin, kNoise, kTruthNoise, kBanding, kFootprint});
     return all;
   }();
   return names;

@@ -90,15 +90,15 @@ TEST(ContactHardening, HardEdgesTellNothing) {
   EXPECT_FALSE(measure_contact_hardening(penumbra).slope);
 }
 
-// An edge whose penumbra grows along z from 4 to 68 px.
+// An edge whose penumbra grows along z from 4 to 68 px; it passes 16 squares of 64 px.
 double growing_width(double z) {
-  return 0.04 + 0.25 * z;
+  return 0.04 + 0.0625 * z;
 }
 
 Image edge_of(const std::function<double(double)>& width, uint64_t seed) {
   return testing::lit_floor(
-      testing::floor_from_above(256, 256, 0.01),
-      [&](double x, double z) { return testing::box_ramp(x - 1.28, width(z)); }, 256, seed);
+      testing::floor_from_above(128, 1024, 0.01),
+      [&](double x, double z) { return testing::box_ramp(x - 0.64, width(z)); }, 256, seed);
 }
 
 // Of 20 pictures with noise, those whose interval holds the slope.

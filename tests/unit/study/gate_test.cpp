@@ -116,6 +116,12 @@ TEST(Gate, AWrongSlopeWithoutNarrowPenumbraeIsAFilterTooWide) {
   run.diagnosis->contact_hardening.slope = 0.5;
   run.diagnosis->penumbra.width_octaves = Spread{0.8, 0.1, 2.0, 1.0};
   EXPECT_EQ(judge_gate(run, nullptr, false).kind, GateClass::penumbra_too_wide);
+  // At the line's end, penumbrae without an umbra, by .3 - .5 * 4 * .5 = -.7 octaves.
+  run.diagnosis->contact_hardening.octaves = 4.0;
+  run.diagnosis->contact_hardening.intercept_octaves = 0.3;
+  EXPECT_EQ(judge_gate(run, nullptr, false).kind, GateClass::hardening);
+  run.diagnosis->contact_hardening.intercept_octaves = 1.0;
+  EXPECT_EQ(judge_gate(run, nullptr, false).kind, GateClass::penumbra_too_wide);
   run.diagnosis->penumbra.width_octaves = Spread{0.8, -0.5, 2.0, 1.0};
   EXPECT_EQ(judge_gate(run, nullptr, false).kind, GateClass::hardening);
   // What the baseline has is no sign of the run's.
