@@ -10,7 +10,6 @@
 #include "reference/reference.h"
 #include "study/selftest/format.h"
 
-#include <string_view>
 #include <thread>
 
 namespace umbrameter {
@@ -23,22 +22,17 @@ constexpr SelftestRound kHeldOut{400, 225, 7};
 struct SelftestOptions {
   std::vector<std::string> scenes;
   SelftestRound round;
+  std::string only;
+  size_t trials = 0;
   bool all = false;
   bool benign_only = false;
   bool with_assets = false;
 };
 
-/// One map spans a kilometre there: a texel is wider than a caster, so that moving the map's grid is no benign change.
-constexpr std::string_view kTooCoarse = "long_street";
-
-/// Scenes that need no assets; with `with_assets` also those whose assets are there. Without kTooCoarse.
+/// Scenes that need no assets; with `with_assets` also those whose assets are there.
 std::vector<std::string> library_scenes(const SceneSearch& search, bool with_assets) {
   std::vector<std::string> names;
   for (const SceneEntry& entry : list_scenes(search)) {
-    if (entry.name == kTooCoarse) {
-      print_note(entry.name + " is left out: one map's texel is wider than its casters");
-      continue;
-    }
     if (with_assets && !entry.missing_assets.empty())
       print_note(entry.name + " is left out: its models are not there (set UMBRAMETER_ASSETS)");
     else if (with_assets || !entry.needs_assets)
@@ -69,6 +63,8 @@ int selftest(const SelftestOptions& options, const GlobalOptions& global) {
   settings.rounds = {options.round};
   if (options.all) settings.rounds.push_back(kHeldOut);
   settings.benign_only = options.benign_only;
+  settings.only = options.only;
+  settings.fewest_benign = options.trials;
   settings.techniques_folder = home.techniques;
   settings.shaders_folder = home.shaders;
   settings.scratch_folder = staging.folder();
@@ -94,6 +90,10 @@ void add_selftest(CLI::App& app, CommandLine& line) {
   verb->fallthrough();
   verb->add_option("--scene", options->scenes, "only this scene and its faults; repeatable")
       ->allow_extra_args(false);
+  verb->add_option("--only", options->only, "only trials whose name contains this");
+  verb->add_option("--trials", options->trials,
+                   "of changes that are no faults, at least: more rounds of other sizes and seeds")
+      ->check(CLI::Range(0, 100000));
   verb->add_flag("--benign", options->benign_only, "only the changes that are no faults, and the masks");
   verb->add_flag("--all", options->all,
                  "the whole: scenes of real models, and everything once more at a held-out size and seed");

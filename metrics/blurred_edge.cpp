@@ -90,7 +90,7 @@ bool connected(const Outskirts& field, size_t from, std::optional<size_t> to) {
 
 }  // namespace
 
-bool is_blurred_edge(const Outskirts& field, size_t i, size_t edge, float tolerance) {
+bool is_blurred_edge(const Outskirts& field, size_t i, size_t edge, float tolerance, bool is_kept) {
   const Way way(field.surface, i, edge);
   if (way.steps == 0 || way.steps > kLongestPx) return false;
   float lowest = field.sign * field.v[i];
@@ -107,7 +107,8 @@ bool is_blurred_edge(const Outskirts& field, size_t i, size_t edge, float tolera
     if (!connected(field, from, to) || !falls_to(*to)) return false;
   }
   const float at_edge = field.v[edge];
-  if (at_edge < kDarkest || at_edge > 1.0f - kDarkest) return false;
+  const float darkest = is_kept ? std::min(tolerance, kDarkest) : kDarkest;
+  if (at_edge < darkest || at_edge > 1.0f - darkest) return false;
   for (int step = way.steps + 1; step <= (1 + kBehind) * way.steps; ++step) {
     const auto to = way.at(step);
     if (!connected(field, from, to)) return at_edge >= kSurestDark && at_edge <= 1.0f - kSurestDark;

@@ -2,9 +2,12 @@
 #include "metrics/contact_hardening.h"
 
 #include "core/statistics.h"
+#include "metrics/bootstrap.h"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 namespace umbrameter {
 
@@ -14,12 +17,17 @@ constexpr size_t kFewest = 8;
 constexpr size_t kMost = 512;
 constexpr double kFewestOctaves = 1.0;
 constexpr double kEnoughOctaves = 2.0;
-constexpr double kLargestSe = 0.05;         // of a slope over fewer octaves than enough
+constexpr double kLargestMargin = 0.25;     // of a slope over fewer octaves than enough
 constexpr double kSigmaPerMedian = 1.4826;  // of a normal distribution's |x|
+constexpr double kWildSigmas = 3.0;         // a residual counts no further
 constexpr double kPairOctaves = 0.5;
+constexpr int kPlacePx = 64;
+
+using Place = std::pair<int, int>;
 
 struct Point {
   double reference_octaves = 0.0, test_octaves = 0.0;
+  Place place;
 };
 
 std::vector<Point> sorted_points(const PenumbraError& penumbra) {
@@ -28,7 +36,9 @@ std::vector<Point> sorted_points(const PenumbraError& penumbra) {
   for (const PenumbraProfile& profile : penumbra.profiles) {
     // The width of a hard edge is the pixel's.
     if (profile.outcome != ProfileOutcome::accepted || profile.width_octaves <= hardest) continue;
-    points.push_back({std::log2(profile.reference_width_world), std::log2(profile.test_width_world)});
+    points.push_back({std::log2(profile.reference_width_world),
+                      std::log2(profile.test_width_world),
+                      {profile.x / kPlacePx, profile.y / kPlacePx}});
   }
   std::stable_sort(points.begin(), points.end(),
                    [](const Point& a, const Point& b) { return a.reference_octaves < b.reference_octaves; });
@@ -42,17 +52,30 @@ std::vector<Point> evenly_picked(const std::vector<Point>& points) {
   return picked;
 }
 
-// Of a line's slope: the residuals' spread over that of the abscissae, which the median keeps from wild profiles.
-double slope_se(const std::vector<Point>& points, double slope, double intercept) {
-  const double n = static_cast<double>(points.size());
-  double mean = 0.0, variance = 0.0;
-  for (const Point& point : points) mean += point.reference_octaves / n;
-  std::vector<double> residuals;
+// Of a line's slope: the sandwich estimator over places (Liang and Zeger 1986), its residuals clipped as the line's own
+// weights are (Huber). Absent for one place.
+std::optional<double> margin_of_slope(const std::vector<Point>& points, double slope, double intercept) {
+  double mean = 0.0;
+  std::vector<double> residuals, sizes;
   for (const Point& point : points) {
-    variance += (point.reference_octaves - mean) * (point.reference_octaves - mean) / n;
-    residuals.push_back(std::abs(point.test_octaves - intercept - slope * point.reference_octaves));
+    mean += point.reference_octaves / static_cast<double>(points.size());
+    residuals.push_back(point.test_octaves - intercept - slope * point.reference_octaves);
+    sizes.push_back(std::abs(residuals.back()));
   }
-  return kSigmaPerMedian * median(std::move(residuals)) / std::sqrt(variance * n);
+  const double wild = kWildSigmas * kSigmaPerMedian * median(std::move(sizes));
+  std::map<Place, double> places;
+  double squares = 0.0;
+  for (size_t k = 0; k < points.size(); ++k) {
+    const double run = points[k].reference_octaves - mean;
+    squares += run * run;
+    places[points[k].place] += run * std::clamp(residuals[k], -wild, wild);
+  }
+  if (places.size() < 2) return std::nullopt;
+  double scores = 0.0;
+  for (const auto& [place, score] : places) scores += score * score;
+  const double n = static_cast<double>(places.size());
+  const double se = std::sqrt(scores * n / (n - 1.0)) / squares;
+  return student_t_975(static_cast<int>(places.size()) - 1) * se;
 }
 
 ContactHardening fit_hardening(const std::vector<Point>& all) {
@@ -78,10 +101,10 @@ ContactHardening fit_hardening(const std::vector<Point>& all) {
     excess.push_back(point.test_octaves - middle - slope * (point.reference_octaves - middle));
   }
   const double at_middle = median(excess);
-  const bool is_enough = out.octaves >= kEnoughOctaves ||
-                         slope_se(points, slope, middle + at_middle - slope * middle) <= kLargestSe;
-  if (!is_enough) return out;
+  const auto margin = margin_of_slope(points, slope, middle + at_middle - slope * middle);
+  if (out.octaves < kEnoughOctaves && !(margin && *margin <= kLargestMargin)) return out;
   out.slope = slope;
+  out.slope_margin = margin;
   out.intercept_octaves = at_middle;
   return out;
 }

@@ -18,7 +18,9 @@ namespace {
 
 constexpr double kContactPixels = 6.0;
 constexpr double kContactTexels = 3.0;
-constexpr double kContactBiases = 2.0;        // a normal offset gains more than its length on a slope
+constexpr double kContactBiases = 2.0;  // a normal offset gains more than its length on a slope
+// By which a penumbra widens when both its rims move by the envelope's radius.
+const double kExcusedOctaves = std::log2(1.0 + 2.0 * EnvelopeSettings{}.radius_per_width);
 constexpr double kWidestContact = 3.0;        // px; below, a penumbra has no softness to be wrong
 constexpr double kReachWidths = 2.0;          // from one width outside to the far end of the penumbra
 constexpr double kEdgeTexels = 1.5;           // half a texel of sampling, one of its neighbour
@@ -63,7 +65,7 @@ bool at_own_horizon(const FaultInput& input, size_t i) {
 bool at_coarse_edge(const FaultInput& input, size_t i, double distance, double width_px) {
   const double texel_px =
       std::min(footprint_px(texel_step(input.texels, input.surface, i)), kLargestFootprintPx);
-  return texel_px > 1.0 && distance <= kEdgeTexels * texel_px && width_px < 2.0 * texel_px;
+  return is_under_resolved(texel_px, width_px) && distance <= kEdgeTexels * texel_px;
 }
 
 const PenumbraProfile* nearest_profile(const FaultInput& input, size_t i) {
@@ -109,7 +111,8 @@ bool is_blurred(const FaultInput& input, size_t i, bool is_dark, const Surroundi
   const int32_t edge = around.nearest_edge[i];
   if (edge < 0) return false;
   const Outskirts outskirts = {input.v, input.r, input.mask, input.surface, is_dark ? 1.0f : -1.0f};
-  return is_blurred_edge(outskirts, i, static_cast<size_t>(edge), input.envelope.tolerance[i]);
+  return is_blurred_edge(outskirts, i, static_cast<size_t>(edge), input.envelope.tolerance[i],
+                         around.kept[i] != 0);
 }
 
 Signs signs_of(const FaultInput& input, size_t i, float residual, bool is_dark, const Surroundings& around) {
@@ -137,6 +140,8 @@ Signs signs_of(const FaultInput& input, size_t i, float residual, bool is_dark, 
   if (const PenumbraProfile* profile = nearest_profile(input, i)) {
     add(Sign::overlap, profile->overlaps);
     add(Sign::separate, profile->has_ridge && !profile->overlaps);
+    add(Sign::wider,
+        profile->outcome == ProfileOutcome::accepted && profile->width_octaves > kExcusedOctaves);
   }
   if (nearest_edge < 0) return signs;
   const double distance = distance_px(i, nearest_edge, input.surface.width),
@@ -216,7 +221,8 @@ std::vector<Evidence> gather_evidence(const FaultInput& input, std::span<const f
   return evidence;
 }
 
-Surroundings look_around(const FaultInput& input, std::span<const uint8_t> thin) {
+Surroundings look_around(const FaultInput& input, std::span<const uint8_t> thin,
+                         std::span<const uint8_t> kept) {
   std::vector<uint8_t> is_edge(input.r.size(), 0);
   const int height = input.surface.height;
   for_each_row(height, [&](int y) {
@@ -229,6 +235,7 @@ Surroundings look_around(const FaultInput& input, std::span<const uint8_t> thin)
     }
   });
   Surroundings around;
+  around.kept = kept;
   around.nearest_edge = nearest_feature(is_edge, input.surface.width, height);
   if (!thin.empty()) around.nearest_thin = nearest_feature(thin, input.surface.width, height);
   std::vector<uint8_t> seen(input.mask.size());

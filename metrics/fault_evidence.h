@@ -43,9 +43,10 @@ enum class Sign : uint8_t {
   separate,    // it has a ridge and overlaps none
   touching,    // contact that the picture or a bias tells, not the width of texels alone
   blurred,     // the outskirt of a true edge that is drawn wider on both sides: metrics/blurred_edge.h
+  wider,       // the nearest penumbra is drawn wider than the envelope excuses
   alone,       // near, and no penumbra that reaches further explains it: metrics/standing_alone.h
 };
-inline constexpr size_t kSigns = 11;
+inline constexpr size_t kSigns = 12;
 using Signs = uint16_t;  // bit 1 << Sign
 
 /// What a pixel would be blamed for on its own; pixels of one kind make up a piece of a mixed component.
@@ -72,6 +73,7 @@ struct Evidence {
 struct Surroundings {
   std::vector<int32_t>
       nearest_edge;  // scored pixel with .2 < R < .8 or beside one on the other side of .5; -1 without any
+  std::span<const uint8_t> kept;      // 1 on errors that only moved shade: metrics/fault_shapes.h
   std::vector<int32_t> nearest_thin;  // pixel of a shadow thinner than a texel; empty without any
   std::vector<float>
       blurred_truth;  // metrics/blurred_edge.h; empty when the picture is not blurred as a whole
@@ -92,7 +94,8 @@ bool in_contact(const FaultInput& input, size_t i);
 /// Whether normals disagree, or a smooth mesh's facets shadow each other where the light grazes them.
 bool on_own_facets(const FaultInput& input, size_t i);
 
-/// `thin`: 1 on shadows thinner than a texel, empty without any.
-Surroundings look_around(const FaultInput& input, std::span<const uint8_t> thin);
+/// `thin`: 1 on shadows thinner than a texel, empty without any. `kept` must outlive what is returned.
+Surroundings look_around(const FaultInput& input, std::span<const uint8_t> thin,
+                         std::span<const uint8_t> kept);
 
 }  // namespace umbrameter

@@ -12,8 +12,9 @@ namespace umbrameter {
 
 namespace {
 
-constexpr double kSolidShare = 0.5;    // of what is wrong, covered by the disc
-constexpr double kOpenRim = 0.25;      // of a shadow's rim; facets that are dark as a whole have less
+constexpr double kSolidShare = 0.5;  // of what is wrong, covered by the disc
+constexpr double kOpenRim = 0.25;    // of a shadow's rim; facets that are dark as a whole have less
+constexpr double kKeptShade = 0.5;   // of what a shadow lost; a filter moves shade, a missing caster takes it
 constexpr double kRadiusTexels = 1.5;  // acne's stripes are at most a texel wide
 constexpr double kLargestRadiusPx = 64.0;
 
@@ -23,6 +24,7 @@ struct Shape {
   size_t contact = 0;        // pixels whose blocker is in contact
   size_t thin = 0;           // of a shape thinner than a texel
   size_t terminator = 0;     // where the receiver shadows itself
+  size_t blurred = 0;        // not fully lit, and its shade found around
   size_t rim = 0, open = 0;  // neighbours outside it; those that go on with its surface
   size_t solid = 0;
 
@@ -156,19 +158,38 @@ std::vector<uint8_t> thin_shapes(const FaultInput& input) {
   return any ? thin : std::vector<uint8_t>();
 }
 
-std::vector<uint8_t> lost_shapes(const FaultInput& input, std::span<const uint8_t> thin, Loss loss) {
+std::vector<uint8_t> shade_is_kept(const FaultInput& input) {
+  const Components errors = components_of(
+      input, select(input, [&](size_t i) { return std::abs(input.error(i)) > input.envelope.tolerance[i]; }));
+  std::vector<double> lost(errors.count, 0.0), found(errors.count, 0.0);
+  for (size_t i = 0; i < errors.label.size(); ++i) {
+    if (errors.label[i] < 0) continue;
+    const double error = input.error(i);
+    (error > 0.0 ? lost : found)[static_cast<size_t>(errors.label[i])] += std::abs(error);
+  }
+  return select(input, [&](size_t i) {
+    if (errors.label[i] < 0) return false;
+    const size_t k = static_cast<size_t>(errors.label[i]);
+    return std::min(found[k], lost[k]) >= kKeptShade * std::max(found[k], lost[k]);
+  });
+}
+
+std::vector<uint8_t> lost_shapes(const FaultInput& input, std::span<const uint8_t> thin,
+                                 std::span<const uint8_t> kept, Loss loss) {
   if (loss == Loss::thin && thin.empty()) return {};
   const Components components =
       components_of(input, select(input, [&](size_t i) { return input.r[i] < 0.5f; }));
   std::vector<Shape> shapes = measure_overlap(components, input.r, input.v);
   if (!any_unmatched(input, shapes)) return {};
   for_wrong_pixels(input, components, input.r, input.v, shapes, [&](Shape& shape, size_t i) {
+    shape.blurred += kept[i] != 0 && input.v[i] < 1.0 - input.settings.lit_epsilon ? 1 : 0;
     shape.contact += in_contact(input, i) ? 1 : 0;
     shape.terminator += on_own_facets(input, i) ? 1 : 0;
     shape.thin += !thin.empty() && thin[i] != 0 ? 1 : 0;
   });
   return pixels_of(input, components, shapes, [&](const Shape& shape) {
     const Loss reason = shape.thin > 0                         ? Loss::thin
+                        : 2 * shape.blurred > shape.wrong()    ? Loss::blurred
                         : 2 * shape.terminator > shape.wrong() ? Loss::terminator
                         : 2 * shape.contact > shape.wrong()    ? Loss::contact
                                                                : Loss::other;

@@ -34,12 +34,19 @@ inline Components components_of(const FaultInput& input, std::span<const uint8_t
 /// them right. Empty without any.
 std::vector<uint8_t> thin_shapes(const FaultInput& input);
 
-/// Why a shadow is lost: it is thinner than a texel, the terminator's, its blockers are in contact, or none of these.
-enum class Loss : uint8_t { thin, terminator, contact, other };
+/// 1 on connected errors whose shade too much and shade too little are equal within a factor of two: a filter moves shade, a
+/// missing caster takes it away.
+std::vector<uint8_t> shade_is_kept(const FaultInput& input);
+
+/// Why a shadow is lost: it is thinner than a texel; blurred away, so that half of its shade or more is found around it;
+/// the terminator's; its blockers are in contact; or none of these.
+enum class Loss : uint8_t { thin, blurred, terminator, contact, other };
 
 /// 1 on the 8-connected shapes of R < .5 that hardly meet V < .5, lost for that reason, the first that holds. Shapes of fewer
-/// than min_component_px pixels are left out. `thin` as from thin_shapes. Empty without any.
-std::vector<uint8_t> lost_shapes(const FaultInput& input, std::span<const uint8_t> thin, Loss loss);
+/// than min_component_px pixels are left out. `thin` and `kept` as from thin_shapes and shade_is_kept. Empty
+/// without any.
+std::vector<uint8_t> lost_shapes(const FaultInput& input, std::span<const uint8_t> thin,
+                                 std::span<const uint8_t> kept, Loss loss);
 
 /// 1 on the 8-connected shapes of V < .5 that hardly meet R < .5 and are solid: a disc of extra_shadow_radius_px
 /// (or a texel and a half) that fits into them, moved about, covers half of what is wrong. Acne's stripes are

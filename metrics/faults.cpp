@@ -100,6 +100,7 @@ bool is_softness(const Evidence& e) {
 }
 
 FaultClass softness(const Evidence& e) {
+  if (e.mostly(Sign::wider)) return FaultClass::penumbra_too_wide;
   return e.of(Sign::overlap) > e.of(Sign::separate) ? FaultClass::overlap : FaultClass::penumbra;
 }
 
@@ -226,13 +227,15 @@ Faults classify_faults(const Image& test, const Image& reference, std::span<cons
   for (size_t i = 0; i < mask.size(); ++i) {
     if (mask[i] != 0) out.classes[i] = FaultClass::explained;
   }
-  const std::vector<uint8_t> thin = thin_shapes(input);
-  claim_shapes(input, 1.0f, lost_shapes(input, thin, Loss::thin), FaultClass::resolution, out);
-  claim_shapes(input, 1.0f, lost_shapes(input, thin, Loss::terminator), FaultClass::terminator, out);
-  claim_shapes(input, 1.0f, lost_shapes(input, thin, Loss::other), FaultClass::lost_shadow, out);
-  claim_shapes(input, 1.0f, lost_shapes(input, thin, Loss::contact), FaultClass::peter_panning, out);
+  const std::vector<uint8_t> thin = thin_shapes(input), kept = shade_is_kept(input);
+  claim_shapes(input, 1.0f, lost_shapes(input, thin, kept, Loss::thin), FaultClass::resolution, out);
+  claim_shapes(input, 1.0f, lost_shapes(input, thin, kept, Loss::blurred), FaultClass::penumbra_too_wide,
+               out);
+  claim_shapes(input, 1.0f, lost_shapes(input, thin, kept, Loss::terminator), FaultClass::terminator, out);
+  claim_shapes(input, 1.0f, lost_shapes(input, thin, kept, Loss::other), FaultClass::lost_shadow, out);
+  claim_shapes(input, 1.0f, lost_shapes(input, thin, kept, Loss::contact), FaultClass::peter_panning, out);
   claim_shapes(input, -1.0f, extra_shapes(input), FaultClass::extra_shadow, out);
-  const Surroundings around = look_around(input, thin);
+  const Surroundings around = look_around(input, thin, kept);
   classify_residual(input, envelope.dark, true, around, out);
   classify_residual(input, envelope.bright, false, around, out);
   count_components(input, out);

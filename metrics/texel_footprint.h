@@ -36,6 +36,11 @@ TexelStep texel_step(const TexelView& texels, const SurfaceView& surface, size_t
 /// The texel's longest extent in pixels; 0 when unknown or without end.
 double footprint_px(const TexelStep& step);
 
+/// Whether an edge of `width_px` is narrower than two texels larger than a pixel: no map of that size draws its width.
+inline bool is_under_resolved(double texel_px, double width_px) {
+  return texel_px > 1.0 && width_px < 2.0 * texel_px;
+}
+
 /// footprint_px of every masked pixel, 0 elsewhere; empty without texels.
 std::vector<float> footprints_px(const TexelView& texels, const SurfaceView& surface,
                                  std::span<const uint8_t> mask);

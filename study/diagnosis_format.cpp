@@ -40,7 +40,8 @@ std::string hardening_text(const ContactHardening& hardening) {
   const std::string basis =
       fmt::format("{} profiles over {:.2g} octaves", hardening.profiles, hardening.octaves);
   if (!hardening.slope || !hardening.intercept_octaves) return "not identifiable: " + basis;
-  return fmt::format("slope {:.3g}, {:+.3g} octaves at the median width ({})", *hardening.slope,
+  const std::string margin = hardening.slope_margin ? fmt::format(" +- {:.2g}", *hardening.slope_margin) : "";
+  return fmt::format("slope {:.3g}{}, {:+.3g} octaves at the median width ({})", *hardening.slope, margin,
                      *hardening.intercept_octaves, basis);
 }
 

@@ -56,6 +56,7 @@ PenumbraNumbers read_penumbra(const Json& json) {
 OrderedJson hardening_json(const ContactHardening& hardening) {
   return {{"identifiable", hardening.slope.has_value()},
           {"slope", optional_json(hardening.slope)},
+          {"slope_margin", optional_json(hardening.slope_margin)},
           {"intercept_octaves", optional_json(hardening.intercept_octaves)},
           {"profiles", hardening.profiles},
           {"octaves", hardening.octaves}};
@@ -63,7 +64,8 @@ OrderedJson hardening_json(const ContactHardening& hardening) {
 
 ContactHardening read_hardening(const Json& json) {
   return {json.at("profiles"), json.at("octaves"), read_optional<double>(json.at("slope")),
-          read_optional<double>(json.at("intercept_octaves"))};
+          read_optional<double>(json.at("intercept_octaves")),
+          read_optional<double>(json.at("slope_margin"))};
 }
 
 OrderedJson faults_json(const FaultNumbers& faults) {

@@ -14,6 +14,10 @@ constexpr std::array<std::string_view, kGateClasses> kNames = {
     "bleed",     "geometric_leak", "lost_shadow",  "softness",   "penumbra_too_wide",
     "hardening", "offset",         "noise",        "banding",    "error"};
 
+constexpr double kCoarser = 1.1;  // of the baseline's texels; less is how a map is laid over a scene
+
+constexpr double kMostly = 0.8;  // as of a component that is one kind's (metrics/faults.h)
+
 struct FaultPair {
   FaultClass fault;
   GateClass kind;
@@ -59,6 +63,14 @@ std::optional<double> offset(const GateRun& run) {
 std::optional<double> hardening(const GateRun& run) {
   if (!run.diagnosis || !run.diagnosis->contact_hardening.slope) return std::nullopt;
   return std::abs(*run.diagnosis->contact_hardening.slope - 1.0);
+}
+
+// Of both slopes' intervals.
+double hardening_doubt(const GateRun& run, const GateRun* baseline) {
+  const auto margin_of = [](const GateRun& r) {
+    return r.diagnosis ? r.diagnosis->contact_hardening.slope_margin.value_or(0.0) : 0.0;
+  };
+  return std::hypot(margin_of(run), baseline != nullptr ? margin_of(*baseline) : 0.0);
 }
 
 // Fine shadows differ from the 3 x 3 mean without noise; what the truth has is none. A difference of squares would
@@ -113,6 +125,16 @@ double excess(const GateMeasure& m) {
   return m.value.value_or(0.0) - m.baseline.value_or(0.0);
 }
 
+// Whether the map's texels are larger than the baseline's, as far as both are known. Edges that no coarser a map draws worse
+// are no fault of its resolution.
+bool may_be_coarser(const GateRun& run, const GateRun* baseline) {
+  const auto footprint = [](const GateRun& r) {
+    return r.diagnosis ? r.diagnosis->causes.median_footprint_px : std::nullopt;
+  };
+  if (baseline == nullptr || !footprint(run) || !footprint(*baseline)) return true;
+  return *footprint(run) > kCoarser * *footprint(*baseline);
+}
+
 template <class Key>
 const GateMeasure* largest(const std::vector<GateMeasure>& measures, size_t begin, size_t end,
                            const Key& key) {
@@ -129,9 +151,41 @@ const GateMeasure& of(const std::vector<GateMeasure>& measures, GateClass kind) 
                        [&](const GateMeasure& m) { return m.kind == kind; });
 }
 
-// A wrong slope makes widths wrong, and grain is made of few levels: the cause goes first.
-std::optional<GateClass> kind_of_penumbra(const std::vector<GateMeasure>& measures, size_t shapes) {
-  if (of(measures, GateClass::hardening).exceeds()) return GateClass::hardening;
+// By how many octaves the narrowest penumbrae differ from the truth's: those measured, or the end of the hardening line, which
+// penumbrae without an umbra have a say in.
+std::optional<double> narrowest_octaves(const GateRun& run) {
+  if (!run.diagnosis || !run.diagnosis->penumbra.width_octaves) return std::nullopt;
+  const double measured = run.diagnosis->penumbra.width_octaves->p5;
+  const ContactHardening& line = run.diagnosis->contact_hardening;
+  if (!line.slope || !line.intercept_octaves) return measured;
+  return std::min(measured, *line.intercept_octaves - 0.5 * line.octaves * std::abs(*line.slope - 1.0));
+}
+
+// Whether some penumbrae are, or may be, narrower than the truth's and the baseline's by more than widths may err.
+bool any_too_narrow(const GateRun& run, const GateRun* baseline, const GateLimits& limits) {
+  const auto narrowest = narrowest_octaves(run);
+  if (!narrowest) return true;
+  const double before = baseline != nullptr ? std::min(0.0, narrowest_octaves(*baseline).value_or(0.0)) : 0.0;
+  return *narrowest < before - limits.softness.excess;
+}
+
+// Whether more than `part` of what the penumbrae have too much of is softness beyond the true one.
+bool is_too_wide(const GateRun& run, const GateRun* baseline, double part) {
+  if (!run.diagnosis) return false;
+  const auto more = [&](const auto& share) {
+    return share(run) - (baseline != nullptr && baseline->diagnosis ? share(*baseline) : 0.0);
+  };
+  const double all = more([](const GateRun& r) { return *penumbra_share(r); });
+  const double wide = more([](const GateRun& r) { return *fault_share(r, FaultClass::penumbra_too_wide); });
+  return wide > part * all && wide > 0.0;
+}
+
+// A wrong slope makes widths wrong, and grain is made of few levels: the cause goes first. A filter too wide everywhere
+// widens narrow penumbrae most, and its slope is no fault of its own.
+std::optional<GateClass> kind_of_penumbra(const std::vector<GateMeasure>& measures, size_t shapes,
+                                          bool is_blur) {
+  if (of(measures, GateClass::hardening).exceeds())
+    return is_blur ? GateClass::penumbra_too_wide : GateClass::hardening;
   const bool is_grain = of(measures, GateClass::noise).exceeds();
   const GateMeasure* worst = largest(measures, shapes, measures.size(), [&](const GateMeasure& m) {
     return is_grain && m.kind == GateClass::banding ? 0.0 : m.severity();
@@ -139,26 +193,25 @@ std::optional<GateClass> kind_of_penumbra(const std::vector<GateMeasure>& measur
   return worst != nullptr ? std::optional(worst->kind) : std::nullopt;
 }
 
-// Half of what the penumbrae have too much of is softness beyond the true one.
-bool is_too_wide(const GateRun& run, const GateRun* baseline) {
-  if (!run.diagnosis) return false;
-  const auto more = [&](const auto& share) {
-    return share(run) - (baseline != nullptr && baseline->diagnosis ? share(*baseline) : 0.0);
-  };
-  const double all = more([](const GateRun& r) { return *penumbra_share(r); });
-  const double wide = more([](const GateRun& r) { return *fault_share(r, FaultClass::penumbra_too_wide); });
-  return wide > 0.5 * all && wide > 0.0;
-}
+// What the two runs say of a fault beside its measures.
+struct Hints {
+  bool is_blur = false;  // nothing is too narrow, and four fifths are too wide
+  bool is_coarser = false;
+};
 
-std::optional<GateClass> main_fault(const std::vector<GateMeasure>& measures, const GateMeasure& error) {
+std::optional<GateClass> main_fault(const std::vector<GateMeasure>& measures, const GateMeasure& error,
+                                    const Hints& hints) {
   const size_t shares = kFaults.size() + 1;  // the last one: of penumbrae
   const GateMeasure* fault = largest(measures, 0, shares, excess);
+  const GateMeasure& penumbrae = measures[shares - 1];
+  if (fault != nullptr && fault->kind == GateClass::resolution && !hints.is_coarser && penumbrae.exceeds())
+    fault = &penumbrae;
   // A filter of the wrong size loses thin shadows, too.
   const bool is_hardening = of(measures, GateClass::hardening).exceeds();
   const bool is_lost = fault != nullptr && fault->kind == GateClass::lost_shadow && is_hardening &&
                        of(measures, GateClass::softness).exceeds();
   if (fault != nullptr && fault->kind != GateClass::softness && !is_lost) return fault->kind;
-  if (const auto kind = kind_of_penumbra(measures, shares)) return kind;
+  if (const auto kind = kind_of_penumbra(measures, shares, hints.is_blur)) return kind;
   if (fault != nullptr) return fault->kind;
   return error.exceeds() ? std::optional(GateClass::error) : std::nullopt;
 }
@@ -204,15 +257,17 @@ GateVerdict judge_gate(const GateRun& run, const GateRun* baseline, bool worse, 
       baseline != nullptr ? std::max(moved, shrunk(run, *baseline, FaultClass::explained)) : 0.0;
   add(GateClass::softness, penumbra_share, limits.fault, named);
   add(GateClass::softness, width, limits.softness, doubt(run, baseline, &PenumbraNumbers::width_octaves));
-  add(GateClass::hardening, hardening, limits.hardening);
+  add(GateClass::hardening, hardening, limits.hardening, hardening_doubt(run, baseline));
   add(GateClass::offset, offset, limits.offset, doubt(run, baseline, &PenumbraNumbers::offset_widths));
   add(GateClass::noise, noise, limits.noise);
   add(GateClass::banding, banding, limits.banding);
   std::vector<GateMeasure> causes = verdict.measures;
   add(GateClass::error, rmse, limits.error);
   if (baseline != nullptr && !worse) verdict.measures.back().value.reset();
-  verdict.kind = main_fault(causes, verdict.measures.back());
-  if (verdict.kind == GateClass::softness && is_too_wide(run, baseline))
+  const bool is_blur = is_too_wide(run, baseline, kMostly) && !any_too_narrow(run, baseline, limits);
+  const Hints hints = {is_blur, may_be_coarser(run, baseline)};
+  verdict.kind = main_fault(causes, verdict.measures.back(), hints);
+  if (verdict.kind == GateClass::softness && is_too_wide(run, baseline, 0.5))
     verdict.kind = GateClass::penumbra_too_wide;
   return verdict;
 }

@@ -14,9 +14,13 @@ constexpr size_t kFirstFault = static_cast<size_t>(FaultClass::acne);  // before
 constexpr const char* kWidth = "width_octaves";
 constexpr const char* kOffset = "offset_widths";
 constexpr const char* kSlope = "hardening_slope";
+constexpr const char* kExcess = "hardening_intercept_octaves";
+constexpr const char* kSpan = "hardening_octaves";
+constexpr const char* kSlopeMargin = "hardening_slope_margin";
 constexpr const char* kNoise = "noise";
 constexpr const char* kTruthNoise = "reference_noise";
 constexpr const char* kBanding = "banding";
+constexpr const char* kFootprint = "footprint_px";
 
 std::string fault_name(size_t k) {
   return std::string(name_of(static_cast<FaultClass>(k)));
@@ -32,10 +36,15 @@ std::string se_name(const char* name) {
   return std::string(name) + "_se";
 }
 
+std::string least_name(const char* name) {
+  return std::string(name) + "_p5";
+}
+
 void set(Measures& measures, const char* name, const std::optional<Spread>& spread) {
   if (!spread) return;
   measures[name] = spread->rmse;
   measures[se_name(name)] = spread->rmse_se;
+  measures[least_name(name)] = spread->p5;
 }
 
 std::optional<double> get(const Measures& measures, const std::string& name) {
@@ -49,6 +58,7 @@ std::optional<Spread> get_spread(const Measures& measures, const char* name) {
   Spread spread;
   spread.rmse = *value;
   spread.rmse_se = get(measures, se_name(name)).value_or(0.0);
+  spread.p5 = get(measures, least_name(name)).value_or(0.0);
   return spread;
 }
 
@@ -59,9 +69,13 @@ Measures measures_of(const Diagnosis& diagnosis) {
   set(measures, kWidth, diagnosis.penumbra.width_octaves);
   set(measures, kOffset, diagnosis.penumbra.offset_widths);
   set(measures, kSlope, diagnosis.contact_hardening.slope);
+  set(measures, kExcess, diagnosis.contact_hardening.intercept_octaves);
+  set(measures, kSpan, std::optional(diagnosis.contact_hardening.octaves));
+  set(measures, kSlopeMargin, diagnosis.contact_hardening.slope_margin);
   set(measures, kNoise, diagnosis.causes.noise);
   set(measures, kTruthNoise, diagnosis.causes.reference_noise);
   set(measures, kBanding, diagnosis.causes.banding);
+  set(measures, kFootprint, diagnosis.causes.median_footprint_px);
   return measures;
 }
 
@@ -72,9 +86,13 @@ Diagnosis diagnosis_of(const Measures& measures) {
   diagnosis.penumbra.width_octaves = get_spread(measures, kWidth);
   diagnosis.penumbra.offset_widths = get_spread(measures, kOffset);
   diagnosis.contact_hardening.slope = get(measures, kSlope);
+  diagnosis.contact_hardening.intercept_octaves = get(measures, kExcess);
+  diagnosis.contact_hardening.octaves = get(measures, kSpan).value_or(0.0);
+  diagnosis.contact_hardening.slope_margin = get(measures, kSlopeMargin);
   diagnosis.causes.noise = get(measures, kNoise);
   diagnosis.causes.reference_noise = get(measures, kTruthNoise);
   diagnosis.causes.banding = get(measures, kBanding);
+  diagnosis.causes.median_footprint_px = get(measures, kFootprint);
   return diagnosis;
 }
 
@@ -85,7 +103,8 @@ const std::vector<std::string>& measure_names() {
     std::vector<std::string> all = {"rmse"};
     for (size_t k = kFirstFault; k < kFaultClasses; ++k) all.push_back(fault_name(k));
     all.insert(all.end(),
-               {kWidth, se_name(kWidth), kOffset, se_name(kOffset), kSlope, kNoise, kTruthNoise, kBanding});
+               {kWidth, se_name(kWidth), least_name(kWidth), kOffset, se_name(kOffset), least_name(kOffset),
+                kSlope, kExcess, kSpan, kSlopeMargin, kNoise, kTruthNoise, kBanding, kFootprint});
     return all;
   }();
   return names;

@@ -80,9 +80,9 @@ std::vector<BenignVariant> benign_list() {
           {"other seed", other_truth},
           {"jitter of 1/255", with_jitter},
           {"penumbrae 10 % wider", with_larger_light},
-          {"shift below a texel", with_light_nudged},
-          {"map twice as fine", other_parameters({{"map_size", int64_t{2048}}})},
-          {"map on a grid", other_parameters({{"map_snap", true}})},
+          {"shift below a texel", with_light_nudged, true},
+          {"map twice as fine", other_parameters({{"map_size", int64_t{2048}}}), true},
+          {"map on a grid", other_parameters({{"map_snap", true}}), true},
           {"twice the taps", other_parameters({{"filter_taps", int64_t{128}}})}};
 }
 

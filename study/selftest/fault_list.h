@@ -42,6 +42,7 @@ struct FaultCase {
 struct BenignVariant {
   std::string name;
   MakeTrial make;
+  bool moves_texels = false;  // benign only where the baseline's map resolves the true edges (resolved.h)
 };
 
 std::vector<FaultCase> fault_list();

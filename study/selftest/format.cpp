@@ -71,6 +71,7 @@ std::string fault_matrix(const SelftestResults& results, const SelftestRound& ro
 // A row a scene, a column a name, in the order they come in; `text_of` an outcome, empty where there is none.
 template <class Outcome, class TextOf>
 std::string by_scene(const std::vector<Outcome>& outcomes, const TextOf& text_of) {
+  if (outcomes.empty()) return "";
   std::vector<std::string> names, scenes;
   for (const Outcome& o : outcomes) {
     if (std::ranges::find(names, o.name) == names.end()) names.push_back(o.name);
@@ -101,9 +102,13 @@ std::vector<Outcome> in_round(const std::vector<Outcome>& outcomes, const Selfte
 
 std::vector<SelftestRound> rounds_of(const SelftestResults& results) {
   std::vector<SelftestRound> rounds;
-  for (const BenignOutcome& o : results.benign) {
-    if (std::ranges::find(rounds, o.round) == rounds.end()) rounds.push_back(o.round);
-  }
+  const auto add = [&](const auto& outcomes) {
+    for (const auto& o : outcomes) {
+      if (std::ranges::find(rounds, o.round) == rounds.end()) rounds.push_back(o.round);
+    }
+  };
+  add(results.benign);
+  add(results.faults);
   return rounds;
 }
 
@@ -112,6 +117,15 @@ std::string benign_matrix(const SelftestResults& results, const SelftestRound& r
     return o.verdict.passes() ? fmt::format("{:.2f}", worst_severity(o.verdict))
                               : fmt::format("**{}**", kind_text(o.verdict));
   });
+}
+
+std::string left_out_lines(const SelftestResults& results) {
+  std::string text;
+  for (const LeftOut& out : results.left_out) {
+    text += fmt::format("left out: {} of {} ({}): the map does not resolve {:.0f} % of the true edges\n",
+                        out.name, out.scene, text_of(out.round), 100.0 * out.coarse_edges);
+  }
+  return text.empty() ? text : text + "\n";
 }
 
 std::string ratio_text(const std::optional<double>& ratio) {
@@ -169,7 +183,9 @@ std::string selftest_markdown(const SelftestResults& results) {
     if (!results.faults.empty()) text += fault_matrix(results, round) + "\n";
     text += benign_matrix(results, round) + "\n" + recall_by_scene(results, round) + "\n";
   }
-  text += mask_table(results) + "\n" + cause_list(results);
+  if (!results.masks.empty()) text += mask_table(results) + "\n";
+  if (!results.causes.empty()) text += cause_list(results) + "\n";
+  text += left_out_lines(results);
   if (const BenignOutcome* nearest = results.nearest_benign()) {
     text += fmt::format("nearest benign trial: {} of {} ({}), {:.2f} of its limit\n", nearest->name,
                         nearest->scene, text_of(nearest->round), worst_severity(nearest->verdict));
@@ -182,7 +198,8 @@ std::string selftest_markdown(const SelftestResults& results) {
 }
 
 std::string selftest_json(const SelftestResults& results) {
-  OrderedJson faults = OrderedJson::array(), benign = OrderedJson::array(), masks = OrderedJson::array();
+  OrderedJson faults = OrderedJson::array(), benign = OrderedJson::array(), masks = OrderedJson::array(),
+              left_out = OrderedJson::array();
   for (const FaultOutcome& fault : results.faults) {
     OrderedJson right = OrderedJson::array();
     for (const GateClass kind : fault.right) right.push_back(name_of(kind));
@@ -201,6 +218,12 @@ std::string selftest_json(const SelftestResults& results) {
                       {"round", round_json(o.round)},
                       {"severity", worst_severity(o.verdict)},
                       {"verdict", verdict_json(o.verdict)}});
+  }
+  for (const LeftOut& out : results.left_out) {
+    left_out.push_back({{"variant", out.name},
+                        {"scene", out.scene},
+                        {"round", round_json(out.round)},
+                        {"coarse_edges", out.coarse_edges}});
   }
   for (const MaskOutcome& mask : results.masks) {
     masks.push_back({{"painted", mask.name},
@@ -226,6 +249,7 @@ std::string selftest_json(const SelftestResults& results) {
                               {"false_alarms", results.false_alarms()},
                               {"faults", faults},
                               {"benign", benign},
+                              {"left_out", left_out},
                               {"masks", masks},
                               {"right_causes", results.right_causes()},
                               {"causes", causes}};

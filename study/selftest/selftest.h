@@ -30,6 +30,13 @@ struct BenignOutcome {
   GateVerdict verdict;
 };
 
+/// A benign variant that was not asked about, as it moves texels that are too coarse for the scene's edges.
+struct LeftOut {
+  std::string name, scene;
+  SelftestRound round;
+  double coarse_edges = 0.0;  // share of the true ones
+};
+
 /// Pixels of one class against those that were painted.
 struct MaskOutcome {
   std::string name, scene;
@@ -50,6 +57,7 @@ struct SelftestResults {
   size_t scenes = 0;
   std::vector<FaultOutcome> faults;
   std::vector<BenignOutcome> benign;
+  std::vector<LeftOut> left_out;
   std::vector<MaskOutcome> masks;    // of scenes with a place for them
   std::vector<CauseOutcome> causes;  // of the first round
   /// The benign trial that came nearest to a limit; null without any.

@@ -6,6 +6,7 @@
 #include "study/measured.h"
 #include "study/metadata.h"
 #include "study/score.h"
+#include "study/selftest/resolved.h"
 #include "study/shadow_quantity.h"
 
 #include <fmt/format.h>
@@ -165,6 +166,12 @@ const Examined& Stage::examined(const TechniqueChoice& choice) {
   const auto [found, is_new] = examined_.try_emplace(key_of(text_of(choice)));
   if (is_new) found->second = examine(picture(choice), truth(), eye_world());
   return found->second;
+}
+
+std::optional<double> Stage::coarse_edges(const TechniqueChoice& choice) {
+  const std::vector<uint8_t>& mask = examined(choice).mask;
+  if (mask.empty()) return std::nullopt;
+  return share_of_coarse_edges(picture(choice), truth(), mask);
 }
 
 Image Stage::picture_of_shadows(const TechniqueChoice& choice, const Scene& changed) {

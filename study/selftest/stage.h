@@ -37,7 +37,9 @@ struct TechniqueChoice {
 
 struct SelftestSettings {
   std::vector<SelftestRound> rounds = {SelftestRound{}};
-  bool benign_only = false;                                 // and masks, but no faults
+  bool benign_only = false;  // and masks, but no faults
+  std::string only;          // trials whose name contains it; empty: all
+  size_t fewest_benign = 0;  // further rounds of other sizes and seeds until there are as many
   std::filesystem::path techniques_folder, shaders_folder;  // to make mutants from
   std::filesystem::path scratch_folder;                     // where mutants go
   std::filesystem::path pictures_folder;                    // of what was judged; empty: none are kept
@@ -87,6 +89,8 @@ class Stage {
   const Image& picture(const TechniqueChoice& choice);
   const Examined& examined(const TechniqueChoice& choice);
   Image picture(const TechniqueChoice& choice, uint64_t seed);
+  /// Of the map that `choice` draws (study/selftest/resolved.h).
+  std::optional<double> coarse_edges(const TechniqueChoice& choice);
   /// The shadows that `choice` draws of a changed scene, on the surfaces of this one.
   Image picture_of_shadows(const TechniqueChoice& choice, const Scene& changed);
   /// What `choice` draws of a changed scene, on its own surfaces; `blocker_truth` as RenderRequest's.

@@ -123,6 +123,32 @@ TEST(FaultClasses, AContactShadowThatIsGoneIsPeterPanning) {
   EXPECT_EQ(classify_floor(half_plane(), reference).of(FaultClass::lost_shadow).pixels, shadow);
 }
 
+TEST(FaultClasses, AShadowWhoseShadeIsFoundAroundItIsBlurredNotLost) {
+  // Four posts' shadows, 6 x 6 px, without a penumbra, and the same shade over 24 x 24 px each.
+  const auto posts = [](Image& image, int half_px, float visibility) {
+    for (int k = 0; k < 4; ++k) {
+      const int x = 150 + 25 * k;
+      for_floor_rectangle(x - half_px, 64 - half_px, x + half_px, 64 + half_px, [&](size_t i) {
+        image.plane("visibility")[i] = visibility;
+        image.plane("blocker_distance_min")[i] = 0.02f;
+        image.plane("blocker_layers")[i] = 1.0f;
+      });
+    }
+  };
+  Image reference = half_plane(), test = half_plane();
+  posts(reference, 3, 0.0f);
+  posts(test, 12, 1.0f - 36.0f / 576.0f);
+  const Faults blurred = classify_floor(test, reference);
+  EXPECT_EQ(blurred.of(FaultClass::lost_shadow).pixels, 0u);
+  EXPECT_EQ(blurred.of(FaultClass::peter_panning).pixels, 0u);
+  EXPECT_EQ(blurred.of(FaultClass::acne).pixels, 0u);  // the shade around, almost gone on the true edge
+  EXPECT_GE(blurred.of(FaultClass::penumbra_too_wide).pixels, 4u * 36u);
+  // The same shade a tenth as strong is not the shadow's.
+  test = half_plane();
+  posts(test, 12, 1.0f - 3.6f / 576.0f);
+  EXPECT_EQ(classify_floor(test, reference).of(FaultClass::peter_panning).pixels, 4u * 36u);
+}
+
 TEST(FaultClasses, TheTipWithoutUmbraOfALostShadowIsLostWithIt) {
   Image reference = fault_floor([](double, double) { return 1.0; });
   const auto shade = [](Image& image, int x0, int x1, float visibility) {

@@ -83,11 +83,11 @@ TEST(WorstFault, IsTheClassWithTheMostErrorThatIsNotExplained) {
 
 TEST(DiagnosisLines, SayWhenContactHardeningIsNotIdentifiable) {
   Diagnosis diagnosis;
-  diagnosis.contact_hardening = {12, 1.5, std::nullopt, std::nullopt};
+  diagnosis.contact_hardening = {12, 1.5, std::nullopt, std::nullopt, std::nullopt};
   EXPECT_EQ(penumbra_lines(diagnosis).back().second, "not identifiable: 12 profiles over 1.5 octaves");
-  diagnosis.contact_hardening = {300, 3.5, 0.875, -0.25};
+  diagnosis.contact_hardening = {300, 3.5, 0.875, -0.25, 0.125};
   EXPECT_EQ(penumbra_lines(diagnosis).back().second,
-            "slope 0.875, -0.25 octaves at the median width (300 profiles over 3.5 octaves)");
+            "slope 0.875 +- 0.12, -0.25 octaves at the median width (300 profiles over 3.5 octaves)");
 }
 
 TEST(DiagnosisLines, CountRejectedProfilesByCause) {

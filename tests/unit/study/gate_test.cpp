@@ -100,6 +100,55 @@ TEST(Gate, WhatTheBaselineDoesNotLetMeasureIsNotCompared) {
   EXPECT_EQ(judge_gate(run, &baseline, false).kind, GateClass::hardening);
 }
 
+TEST(Gate, ASlopeIsDoubtfulByItsInterval) {
+  GateRun run = clean_run();
+  run.diagnosis->contact_hardening.slope = 0.5;
+  GateRun baseline = clean_run();
+  baseline.diagnosis->contact_hardening.slope = 1.0;
+  EXPECT_EQ(judge_gate(run, &baseline, false).kind, GateClass::hardening);
+  run.diagnosis->contact_hardening.slope_margin = 0.15;
+  baseline.diagnosis->contact_hardening.slope_margin = 0.15;  // .21 together
+  EXPECT_TRUE(judge_gate(run, &baseline, false).passes());
+}
+
+TEST(Gate, AWrongSlopeWithoutNarrowPenumbraeIsAFilterTooWide) {
+  GateRun run = with_share(FaultClass::penumbra_too_wide, 0.01);
+  run.diagnosis->contact_hardening.slope = 0.5;
+  run.diagnosis->penumbra.width_octaves = Spread{0.8, 0.1, 2.0, 1.0};
+  EXPECT_EQ(judge_gate(run, nullptr, false).kind, GateClass::penumbra_too_wide);
+  // At the line's end, penumbrae without an umbra, by .3 - .5 * 4 * .5 = -.7 octaves.
+  run.diagnosis->contact_hardening.octaves = 4.0;
+  run.diagnosis->contact_hardening.intercept_octaves = 0.3;
+  EXPECT_EQ(judge_gate(run, nullptr, false).kind, GateClass::hardening);
+  run.diagnosis->contact_hardening.intercept_octaves = 1.0;
+  EXPECT_EQ(judge_gate(run, nullptr, false).kind, GateClass::penumbra_too_wide);
+  run.diagnosis->penumbra.width_octaves = Spread{0.8, -0.5, 2.0, 1.0};
+  EXPECT_EQ(judge_gate(run, nullptr, false).kind, GateClass::hardening);
+  // What the baseline has is no sign of the run's.
+  GateRun baseline = clean_run();
+  baseline.diagnosis->contact_hardening.slope = 1.0;
+  baseline.diagnosis->penumbra.width_octaves = Spread{0.0, -0.4, 0.4, 0.2};
+  EXPECT_EQ(judge_gate(run, &baseline, false).kind, GateClass::penumbra_too_wide);
+  run.diagnosis->faults.by_class[static_cast<size_t>(FaultClass::penumbra)].mean_abs_error = 0.003;
+  EXPECT_EQ(judge_gate(run, &baseline, false).kind, GateClass::hardening);
+}
+
+TEST(Gate, EdgesAreNotTheMapsFaultWhereItIsNoCoarser) {
+  GateRun baseline = clean_run();
+  baseline.diagnosis->causes.median_footprint_px = 2.0;
+  GateRun run = with_share(FaultClass::resolution, 0.02);
+  run.diagnosis->faults.by_class[static_cast<size_t>(FaultClass::penumbra_too_wide)].mean_abs_error = 0.01;
+  run.diagnosis->causes.median_footprint_px = 4.0;
+  EXPECT_EQ(judge_gate(run, &baseline, false).kind, GateClass::resolution);
+  run.diagnosis->causes.median_footprint_px = 2.0;
+  EXPECT_EQ(judge_gate(run, &baseline, false).kind, GateClass::penumbra_too_wide);
+  // Without anything wrong of penumbrae it keeps its name, and without known texels, too.
+  EXPECT_EQ(judge_gate(with_share(FaultClass::resolution, 0.02), &baseline, false).kind,
+            GateClass::resolution);
+  run.diagnosis->causes.median_footprint_px.reset();
+  EXPECT_EQ(judge_gate(run, &baseline, false).kind, GateClass::resolution);
+}
+
 TEST(Gate, GrainIsNotBanding) {
   GateRun run = clean_run();
   run.diagnosis->causes.banding = 0.9;

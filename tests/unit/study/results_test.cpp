@@ -42,7 +42,7 @@ TEST(Results, KeepTheDiagnosis) {
   diagnosis.penumbra.width_octaves = Spread{0.1, -0.2, 0.3, 0.15, 0.05, 7};
   diagnosis.penumbra.offset_world = Spread{0.01, -0.02, 0.03, 0.02, 0.005, 7};
   diagnosis.penumbra.offset_widths = Spread{0.1, -0.2, 0.3, 0.2, 0.05, 7};
-  diagnosis.contact_hardening = {9, 2.5, 0.75, std::nullopt};
+  diagnosis.contact_hardening = {9, 2.5, 0.75, std::nullopt, 0.5};
   for (size_t k = 0; k < kFaultClasses; ++k) {
     diagnosis.faults.by_class[k] = {10 + k, 20 + k, static_cast<double>(k) / 64.0};
   }
@@ -67,6 +67,7 @@ TEST(Results, KeepTheDiagnosis) {
   EXPECT_EQ(back.contact_hardening.slope, 0.75);
   EXPECT_FALSE(back.contact_hardening.intercept_octaves);
   EXPECT_EQ(back.contact_hardening.octaves, 2.5);
+  EXPECT_EQ(back.contact_hardening.slope_margin, 0.5);
   for (size_t k = 0; k < kFaultClasses; ++k) {
     EXPECT_EQ(back.faults.by_class[k].pixels, 10 + k);
     EXPECT_EQ(back.faults.by_class[k].components, 20 + k);
