@@ -38,6 +38,7 @@ set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-umbrameter)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "umbrameter, python3 (>= 3.11), python3 (<< 3.12), python3-numpy")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-pandas, python3-matplotlib")
 set(CPACK_COMPONENT_PYTHON_DESCRIPTION "Python module of Umbrameter
 Scenes, truths, shadow techniques and scores with intervals and fault classes
 on numpy arrays.")
