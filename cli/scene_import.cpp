@@ -23,8 +23,8 @@ int import_scene(const std::string& name, const GlobalOptions& global) {
     fail_input(fmt::format("the output '{}' does not end in '.toml'", target.string()));
   const fs::path folder = fs::absolute(target).parent_path();
   const ImportedScene imported = import_gltf(file, fs::relative(fs::absolute(file), folder));
+  create_folder(folder);  // '../x.glb' is found from a folder that exists
   const Scene scene = parse_scene(imported.toml, target, {});
-  create_folder(folder);
   write_file_atomically(target, imported.toml);
   for (const auto* warnings : {&imported.warnings, &scene.warnings}) {
     for (const std::string& warning : *warnings) print_warning(warning);

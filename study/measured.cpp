@@ -6,16 +6,19 @@
 namespace umbrameter {
 namespace {
 
-/// Why there is no run with a score in `scene`.
+/// Why there is no run with a score in `scene`: of its runs, or else of the scene itself.
 std::string why_none(const std::vector<Skip>& skipped, const std::string& scene) {
   size_t runs = 0;
-  std::string first;
+  std::string first, whole_scene = "there is no run";
   for (const Skip& skip : skipped) {
     if (skip.scene != scene) continue;
-    if (skip.technique.empty()) return skip.reason;
-    if (runs++ == 0) first = fmt::format("'{}' {}", skip.technique, skip.reason);
+    if (skip.technique.empty()) {
+      whole_scene = skip.reason;
+    } else if (runs++ == 0) {
+      first = fmt::format("'{}' {}", skip.technique, skip.reason);
+    }
   }
-  if (runs == 0) return "there is no run";
+  if (runs == 0) return whole_scene;
   return runs == 1 ? first : fmt::format("{}, and {} more", first, runs - 1);
 }
 

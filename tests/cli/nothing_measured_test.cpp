@@ -57,6 +57,7 @@ at = [0, 0, 0]
 [[light]]
 type = "sphere"
 center = [0, 4, 0]
+at = [0, 0, 0]
 radius = 0.5
 [[mesh]]
 shape = "plane"

@@ -79,10 +79,10 @@ TEST_F(ScorePictures, AlphaIsNeverMultipliedIn) {
 TEST_F(ScorePictures, APairWithAlphaOfFrameBuffersIsScored) {
   // Below 1, so that eight bits hold it.
   for (const std::string name : {"unlit", "lit"}) {
-    oiio({name + ".exr", "--mulc", "0.003", "--colorconvert", "linear", "sRGB", "-d", "uint8", "-o",
+    oiio({name + ".exr", "--mulc", "0.1", "--colorconvert", "linear", "sRGB", "-d", "uint8", "-o",
           name + "8.png"});
-    oiio({name + ".exr", "--mulc", "0.003", "--colorconvert", "linear", "sRGB", "--ch", "R,G,B,A=0",
-          "--attrib", "oiio:UnassociatedAlpha", "1", "-d", "uint8", "-o", name + "_a0.png"});
+    oiio({name + ".exr", "--mulc", "0.1", "--colorconvert", "linear", "sRGB", "--ch", "R,G,B,A=0", "--attrib",
+          "oiio:UnassociatedAlpha", "1", "-d", "uint8", "-o", name + "_a0.png"});
   }
   const std::vector<std::string> how = {"--transfer", "srgb",         "--quantity",
                                         "visibility", "--min-scored", "0.5"};

@@ -51,9 +51,10 @@ TEST_P(ScoreQuantity, TheTruthsOwnPairHasNoErrorBeyondItsNoise) {
     pixels += 1.0;
   }
   const double noise = std::sqrt(variance / pixels);
-  EXPECT_GT(noise, 1e-5);
+  // Nothing casts a shadow on the slanted plane: its truth is exact.
+  EXPECT_TRUE(noise > 1e-5 || scene == "slanted_plane") << noise;
   EXPECT_LT(irradiance["error"]["rmse"]["value"].get<double>(), 2.0 * noise + 1e-4);
-  EXPECT_LT(std::abs(irradiance["error"]["bias"].get<double>()), noise);
+  EXPECT_LE(std::abs(irradiance["error"]["bias"].get<double>()), noise);
   // Nobody said which: the nearer one is taken, and the other one told.
   const Json both = score({});
   EXPECT_EQ(both["quantity"], std::abs(irradiance["error"]["rmse"]["value"].get<double>()) <
