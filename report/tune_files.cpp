@@ -45,7 +45,7 @@ Json sweep_json(const Json& sweep, const Json& document, const std::string& file
   Json out{{"file", file},
            {"parameter", sweep.at("parameter").get<std::string>()},
            {"unit", unit},
-           {"beside", sweep.value("beside", "")},
+           {"beside", sweep.contains("beside") ? sweep.at("beside") : Json("")},
            {"values", row(sweep, "bias", count, file)},
            {"objective", row(sweep, "objective", count, file)},
            {"acne", row(sweep, "acne_share", count, file)},

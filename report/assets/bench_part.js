@@ -21,14 +21,20 @@ function paperText({low, high}) {
   return low === high ? significantText(low, 3) : `${significantText(low, 3)} to ${significantText(high, 3)}`;
 }
 
+// Of both sides; "?" where a technique does not say it.
+function comparesText(counts) {
+  return (counts ?? [null, null]).map(count => count === null ? "?" : significantText(count, 4)).join(" : ");
+}
+
 function benchClaims(scene) {
   if (scene.claims.length === 0) return [];
   const rows = scene.claims.map(claim => [
     nameCell(claim.text), textCell(claim.source), textCell(`${claim.quantity} of ${claim.numerator} / ${claim.denominator}`),
+    textCell(comparesText(claim.compares_per_pixel)),
     numberCell("paper", claim.paper.low, paperText(claim.paper)), numberCell("ours", claim.ours?.value, significantInterval(claim.ours, 3, "")),
     textCell(claim.verdict + (claim.reason ? `: ${claim.reason}` : ""))]);
   return [element("h4", {}, "What papers claim"),
-          makeTable("What papers claim, and what was measured", ["Claim", "Source", "Ratio", "#Paper", "#Ours [95 %]", "Verdict"], rows)];
+          makeTable("What papers claim, and what was measured", ["Claim", "Source", "Ratio", "Compares per pixel", "#Paper", "#Ours [95 %]", "Verdict"], rows)];
 }
 
 function benchTruth(scene) {
