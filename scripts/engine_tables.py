@@ -52,7 +52,7 @@ def measured(runs):
     first = {label: next(run for run in runs if run["label"] == label) for label in labels}
     errors = table(("run", "compared as", *(f"{scene} ({lights[scene]})" for scene in scenes)),
                    [(label, quantity_of(first[label]["technique"]),
-                     *(error_of(by_place[label, scene]) if (label, scene) in by_place else "not supported" for scene in scenes))
+                     *(error_of(by_place[label, scene]) if (label, scene) in by_place else "not run" for scene in scenes))
                     for label in labels])
     context = table(("run", "version, device", "settings"),
                     [(label, first[label]["device"], settings_of(first[label])) for label in labels])

@@ -98,7 +98,8 @@ TEST_F(EnginesTest, TheTableSaysWhatFailed) {
 TEST_F(EnginesTest, ThreeDrawsWhatWeDraw) {
   REQUIRE_ENGINE("three.js", package("three"));
   require_gl();
-  const std::string label = "three:type=pcf,shadowSide=double,shadow.mapSize=1024,shadow.bias=-0.002,shadow.radius=4";
+  const std::string label =
+      "three:type=pcf,shadowSide=double,shadow.mapSize=1024,shadow.bias=-0.002,shadow.radius=4";
   expect_engine(validate({"plate", "--technique", label, "--technique", "pcf"}), label);
 }
 
