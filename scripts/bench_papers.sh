@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # bench_papers.sh [FOLDER [OPTION...]]: runs the papers' studies and writes the tables of docs/papers.md. What lies in FOLDER
 # already is not measured again. OPTIONs go to every `bench`, such as --width 320 --height 180. Needs a build
-# (scripts/build.sh ci), or one that UMBRAMETER names, and UMBRAMETER_ASSETS. Ten minutes on two cores of a software rasteriser.
+# (scripts/build.sh ci), or one that UMBRAMETER names, and UMBRAMETER_ASSETS.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 program=${UMBRAMETER:-build/ci/cli/umbrameter}
