@@ -80,12 +80,13 @@ std::string claim_table(const BenchResults& results) {
       std::string verdict(verdict_text(result));
       if (!result.reason.empty()) verdict += ": " + result.reason;
       rows.push_back({scene.name, claim.source, claim.text, std::string(to_text(claim.quantity)),
-                      format_paper(result.paper), ratio_text(result.ours), verdict});
+                      format_compares(result), format_paper(result.paper), ratio_text(result.ours), verdict});
     }
   }
   if (rows.empty()) return {};
-  return "\n" +
-         format_table({"scene", "source", "claim", "ratio of", "paper", "ours [95 %]", "verdict"}, rows);
+  return "\n" + format_table({"scene", "source", "claim", "ratio of", "compares a pixel", "paper",
+                              "ours [95 %]", "verdict"},
+                             rows);
 }
 
 std::string answer_line(const std::string& question, const Ranking& ranking, const BenchScene& scene) {

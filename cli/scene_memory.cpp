@@ -49,8 +49,9 @@ Json json_of(const SceneSource& source) {
 
 /// Whether the files are as they were.
 bool is_current(const Json& side_files) {
-  return std::all_of(side_files.begin(), side_files.end(),
-                     [](const Json& file) { return file_stamp(file[0].get<std::string>()) == file[1]; });
+  return std::all_of(side_files.begin(), side_files.end(), [](const Json& file) {
+    return file_stamp(file[0].get<std::string>()) == file[1].get<std::string>();
+  });
 }
 
 LightType light_of(const std::string& text) {

@@ -5,6 +5,7 @@
 #include "core/names.h"
 #include "scenes/choose_light.h"
 #include "scenes/seen_from.h"
+#include "study/claims.h"
 
 #include <fmt/format.h>
 
@@ -91,14 +92,17 @@ std::vector<BenchRun> choose_study_runs(const StudyFile& study, const std::files
                                         const Home& home) {
   std::map<std::string, Technique> techniques;
   std::vector<TechniqueRun> runs;
+  std::vector<RunCost> costs;
   for (const StudyRun& run : study.runs) {
     const std::string request = run.is_picture ? picture_beside(file, run) : beside(file, run.technique);
     if (!techniques.contains(request)) techniques[request] = find_run(request, home);
     runs.push_back(choose_run(run, request, techniques[request]));
+    costs.push_back({run.label, compares_per_pixel(techniques[request], runs.back().parameters)});
   }
+  require_fair_costs(study.claims, costs);
   std::vector<BenchRun> all;
   for (const uint64_t seed : study.seeds) {
-    for (const TechniqueRun& run : runs) all.push_back({run, seed});
+    for (size_t i = 0; i < runs.size(); ++i) all.push_back({runs[i], seed, costs[i].compares_per_pixel});
   }
   return all;
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/facts.h"
 
-#include "core/html.h"
 #include "study/diagnosis_format.h"
 #include "study/format.h"
 #include "study/judgement_format.h"
@@ -13,20 +12,8 @@
 namespace umbrameter {
 namespace {
 
-std::string line(const std::string& term, const std::string& text) {
-  return fmt::format("<div><dt>{}</dt><dd>{}</dd></div>", escape_html(term), escape_html(text));
-}
-
-std::string term_lines(const TermLines& lines) {
-  std::string html;
-  for (const auto& [term, text] : lines) html += line(term, text);
-  return html;
-}
-
-std::string common_context(const Results& results, const SceneResult& scene) {
-  return line("scene hash", scene.hash) + line("seed", std::to_string(results.picture.seed)) +
-         line("resolution", fmt::format("{} x {} px", results.picture.width_px, results.picture.height_px)) +
-         line("version", fmt::format("umbrameter {} ({})", results.version, results.commit));
+void append(TermLines& lines, const TermLines& more) {
+  lines.insert(lines.end(), more.begin(), more.end());
 }
 
 std::string region_text(const RegionError& region) {
@@ -35,59 +22,62 @@ std::string region_text(const RegionError& region) {
                      format_error(region_rmse(region)), format_signed_error(region.bias));
 }
 
-std::string error_lines(const TechniqueResult& run) {
+TermLines error_lines(const TechniqueResult& run) {
   if (!run.error) return {};
   const VisibilityError& error = *run.error;
-  return line("RMSE", format_interval(error.rmse)) + line("mean error", format_signed_error(error.bias)) +
-         line("mean |error|", format_error(error.mae)) +
-         line("largest |error|", format_error(error.max_error)) + line("lit", region_text(error.lit)) +
-         line("penumbra", region_text(error.penumbra)) + line("umbra", region_text(error.umbra)) +
-         line("scored", fmt::format("{} pixels", error.scored_pixels)) +
-         line("beyond the scale", format_share(run.clipped_share)) +
-         term_lines(judgement_lines(run.judgement)) +
-         (run.similarity ? term_lines(similarity_lines(*run.similarity)) : "");
-}
-
-std::string diagnosis_lines(const TechniqueResult& run) {
-  if (!run.diagnosis) return {};
-  return term_lines(penumbra_lines(*run.diagnosis)) + term_lines(fault_lines(*run.diagnosis)) +
-         term_lines(cause_lines(*run.diagnosis));
-}
-
-std::string time_lines(const TechniqueResult& run) {
-  std::string lines;
-  for (const PassTime& time : run.pass_times) lines += line("pass " + time.pass, format_time(time));
-  if (!run.pass_times.empty()) lines += line("timer", run.timer);
+  TermLines lines{{"RMSE", format_interval(error.rmse)},
+                  {"mean error", format_signed_error(error.bias)},
+                  {"mean |error|", format_error(error.mae)},
+                  {"largest |error|", format_error(error.max_error)},
+                  {"lit", region_text(error.lit)},
+                  {"penumbra", region_text(error.penumbra)},
+                  {"umbra", region_text(error.umbra)},
+                  {"scored", fmt::format("{} pixels", error.scored_pixels)},
+                  {"beyond the scale", format_share(run.clipped_share)}};
+  append(lines, judgement_lines(run.judgement));
+  if (run.similarity) append(lines, similarity_lines(*run.similarity));
   return lines;
+}
+
+void append_diagnosis(TermLines& lines, const TechniqueResult& run) {
+  if (!run.diagnosis) return;
+  append(lines, penumbra_lines(*run.diagnosis));
+  append(lines, fault_lines(*run.diagnosis));
+  append(lines, cause_lines(*run.diagnosis));
+}
+
+void append_times(TermLines& lines, const TechniqueResult& run) {
+  for (const PassTime& time : run.pass_times) lines.emplace_back("pass " + time.pass, format_time(time));
+  if (!run.pass_times.empty()) lines.emplace_back("timer", run.timer);
 }
 
 }  // namespace
 
-std::string reference_facts(const Results& results, const SceneResult& scene) {
+TermLines reference_facts(const SceneResult& scene) {
   const ReferenceResult& reference = *scene.reference;
-  return line("samples", fmt::format("{:.0f} per pixel on average", reference.mean_sample_count)) +
-         line("standard error", fmt::format("{:.2g} on average, {:.2g} at most", reference.mean_visibility_se,
-                                            reference.max_visibility_se)) +
-         line("model gap", fmt::format("{} (irradiance ratio less visibility), {} of the lit picture",
-                                       format_error(reference.model_gap_rmse),
-                                       format_error(reference.model_gap_lit_rmse))) +
-         (scene.quantity == "visibility" ? "" : line("quantity", scene.quantity + " ratio")) +
-         (scene.parity ? line("parity", format_parity(*scene.parity)) : "") +
-         line("device", reference.device) + line("time", fmt::format("{:.2f} s", reference.wall_time_s)) +
-         line("file", reference.image_file) + common_context(results, scene);
+  TermLines lines{{"samples", fmt::format("{:.0f} per pixel on average", reference.mean_sample_count)},
+                  {"standard error", fmt::format("{:.2g} on average, {:.2g} at most",
+                                                 reference.mean_visibility_se, reference.max_visibility_se)},
+                  {"model gap", fmt::format("{} (irradiance ratio less visibility), {} of the lit picture",
+                                            format_error(reference.model_gap_rmse),
+                                            format_error(reference.model_gap_lit_rmse))}};
+  if (scene.quantity != "visibility") lines.emplace_back("quantity", scene.quantity + " ratio");
+  lines.emplace_back("device", reference.device);
+  lines.emplace_back("time", fmt::format("{:.2f} s", reference.wall_time_s));
+  lines.emplace_back("file", reference.image_file);
+  return lines;
 }
 
-std::string run_facts(const Results& results, const SceneResult& scene, const TechniqueResult& run) {
-  return error_lines(run) + diagnosis_lines(run) +
-         (run.temporal ? line("over time", format_temporal(*run.temporal)) : "") + time_lines(run) +
-         line("parameters", to_text(run.parameters)) + line("technique hash", run.hash) +
-         line("device", run.device) + line("file", run.image_file) + common_context(results, scene);
-}
-
-std::string list_items(const std::vector<std::string>& texts) {
-  std::string items;
-  for (const std::string& text : texts) items += "<li>" + escape_html(text) + "</li>";
-  return items;
+TermLines run_facts(const TechniqueResult& run) {
+  TermLines lines = error_lines(run);
+  append_diagnosis(lines, run);
+  if (run.temporal) lines.emplace_back("over time", format_temporal(*run.temporal));
+  append_times(lines, run);
+  append(lines, {{"parameters", to_text(run.parameters)},
+                 {"technique hash", run.hash},
+                 {"device", run.device},
+                 {"file", run.image_file}});
+  return lines;
 }
 
 }  // namespace umbrameter

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/page_data.h"
 
+#include "report/page_texts.h"
 #include "report/scene_planes.h"
+#include "report/side_data.h"
 #include "report/tune_files.h"
 #include "study/pictures.h"
 #include "study/results_json.h"
@@ -40,18 +42,21 @@ std::string script_safe(std::string json) {
   return json;
 }
 
-std::string page_data(const Results& results, const std::filesystem::path& folder,
-                      const std::filesystem::path& beside, const Json& benches, PlaneStore& store) {
+std::string page_data(const std::optional<Results>& given, const std::filesystem::path& folder,
+                      const std::filesystem::path& beside, PlaneStore& store) {
+  const Results results = given.value_or(Results());
   Json scenes = Json::array();
   for (const SceneResult& scene : results.scenes) {
     scenes.push_back(add_scene_planes(scene, scenes.size(), folder, store));
   }
-  const Json data{{"results", Json::parse(to_json_text(results))},
-                  {"scenes", scenes},
-                  {"bias_sweeps", read_bias_sweeps(beside)},
-                  {"benches", benches},
-                  {"palette", palette_json()},
-                  {"data_folder", store.has_files() ? Json(store.folder_name()) : Json(nullptr)}};
+  Json data{{"results", Json::parse(to_json_text(results))},
+            {"texts", given ? page_texts(results) : Json(nullptr)},
+            {"scenes", scenes},
+            {"bias_sweeps", read_bias_sweeps(beside)},
+            {"tunings", read_tunings(beside)},
+            {"palette", palette_json()},
+            {"data_folder", store.has_files() ? Json(store.folder_name()) : Json(nullptr)}};
+  data.update(side_data(beside));
   return script_safe(data.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 

@@ -17,9 +17,11 @@ std::string report_html(const Results& results, const std::filesystem::path& fol
 
 /// Reads `folder`/results.json and what other verbs left in `beside` (report/side_files.h; empty: in `folder`), and writes
 /// `html_file` atomically; pixels beyond the budget go to data_folder(html_file) before it. Without results.json the page
-/// is of the runs in the folder's store (a sweep's), or of the others alone. Error{input} for a malformed file, or when there is none.
+/// is of the runs in the folder's store (a sweep's), or of the others alone. `before`: an earlier results folder whose runs stand
+/// beside those of now (report/before.h). Error{input} for a malformed file, or when there is none.
 void write_report(const std::filesystem::path& folder, const std::filesystem::path& html_file,
-                  size_t budget_bytes = kPageBudget_bytes, const std::filesystem::path& beside = {});
+                  size_t budget_bytes = kPageBudget_bytes, const std::filesystem::path& beside = {},
+                  const std::filesystem::path& before = {});
 
 /// report.html -> report-data.
 std::filesystem::path data_folder(const std::filesystem::path& html_file);

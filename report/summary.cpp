@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/summary.h"
 
-#include "core/html.h"
-#include "report/table.h"
 #include "study/format.h"
 #include "study/judgement_format.h"
 
@@ -14,6 +12,8 @@
 namespace umbrameter {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 std::string counted(const std::map<std::string, size_t>& counts) {
   std::string text;
   for (const auto& [what, count] : counts)
@@ -21,7 +21,7 @@ std::string counted(const std::map<std::string, size_t>& counts) {
   return text;
 }
 
-/// "pass 3, fail 1": limits and verdicts of all runs, each only where there are any.
+/// "2 scenes, 4 runs, 4 scored. Limit: pass 3, fail 1.": limits and verdicts of all runs, each only where there are any.
 std::string verdict_counts(const Results& results) {
   std::map<std::string, size_t> limits, verdicts;
   size_t runs = 0, scored = 0;
@@ -29,15 +29,15 @@ std::string verdict_counts(const Results& results) {
     for (const TechniqueResult& run : scene.techniques) {
       ++runs;
       scored += run.error ? 1 : 0;
-      if (run.judgement.limit) ++limits[format_limit(*run.judgement.limit)];
+      if (run.judgement.limit) ++limits[std::string(name_of(run.judgement.limit->outcome))];
       if (run.judgement.verdict) ++verdicts[format_verdict(run.judgement.verdict)];
     }
   }
-  std::string html = fmt::format("<p>{} scene{}, {} run{}, {} scored.", results.scenes.size(),
+  std::string text = fmt::format("{} scene{}, {} run{}, {} scored.", results.scenes.size(),
                                  results.scenes.size() == 1 ? "" : "s", runs, runs == 1 ? "" : "s", scored);
-  if (!limits.empty()) html += " Limit: " + counted(limits) + ".";
-  if (!verdicts.empty()) html += " Against the baseline: " + counted(verdicts) + ".";
-  return html + "</p>\n";
+  if (!limits.empty()) text += " Limit: " + counted(limits) + ".";
+  if (!verdicts.empty()) text += " Against the baseline: " + counted(verdicts) + ".";
+  return text;
 }
 
 bool has_scored_run(const SceneResult& scene) {
@@ -46,31 +46,22 @@ bool has_scored_run(const SceneResult& scene) {
 }
 
 /// What keeps a scene from having numbers; empty where it has them (the overview shows those).
-std::string scene_problem(const SceneResult& scene, size_t index) {
-  const std::string problem = scene.failure                           ? "failed"
-                              : scene.parity && !scene.parity->passes ? "void: the two renderers disagree"
-                              : !has_scored_run(scene)                ? "nothing compared"
-                                                                      : "";
-  if (problem.empty()) return {};
-  return fmt::format("<li><a href=\"#{}\">{}</a>: {}</li>\n", scene_anchor(index), escape_html(scene.name),
-                     problem);
+std::string scene_problem(const SceneResult& scene) {
+  if (scene.failure) return "failed";
+  if (scene.parity && !scene.parity->passes) return "void: the two renderers disagree";
+  return has_scored_run(scene) ? "" : "nothing compared";
 }
 
 }  // namespace
 
-std::string summary_verdicts(const Results& results) {
-  std::string html;
-  for (const Failure& failure : all_failures(results)) {
-    html += fmt::format("<p class=\"problem\">Failed: {}</p>", escape_html(failure.message));
-  }
-  if (!parity_passes(results)) {
-    html +=
-        "<p class=\"problem\">The two renderers disagree on at least one scene; its numbers are void.</p>";
-  }
-  if (exceeds_limit(results)) html += "<p class=\"problem\">At least one technique exceeds the limit.</p>";
-  html += verdict_counts(results) + "<ul class=\"scenes\">";
-  for (size_t i = 0; i < results.scenes.size(); ++i) html += scene_problem(results.scenes[i], i);
-  return html + "</ul>\n";
+Json summary_verdicts(const Results& results) {
+  Json problems = Json::array(), scenes = Json::array();
+  for (const Failure& failure : all_failures(results)) problems.push_back("Failed: " + failure.message);
+  if (!parity_passes(results))
+    problems.push_back("The two renderers disagree on at least one scene; its numbers are void.");
+  if (exceeds_limit(results)) problems.push_back("At least one technique exceeds the limit.");
+  for (const SceneResult& scene : results.scenes) scenes.push_back(scene_problem(scene));
+  return {{"problems", problems}, {"counts", verdict_counts(results)}, {"scenes", scenes}};
 }
 
 }  // namespace umbrameter

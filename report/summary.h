@@ -4,11 +4,12 @@
 
 #include "study/results.h"
 
-#include <string>
+#include <nlohmann/json.hpp>
 
 namespace umbrameter {
 
-/// Failures, void comparisons, the verdicts counted, and each scene's best.
-std::string summary_verdicts(const Results& results);
+/// {problems, counts, scenes}: failures and void comparisons in sentences, the verdicts counted, and what keeps each scene from
+/// having numbers (empty: nothing).
+nlohmann::ordered_json summary_verdicts(const Results& results);
 
 }  // namespace umbrameter

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/table.h"
 
-#include "core/html.h"
-#include "report/html_table.h"
 #include "study/diagnosis_format.h"
 #include "study/format.h"
 #include "study/judgement_format.h"
@@ -14,79 +12,22 @@
 namespace umbrameter {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 std::optional<double> value_of(const std::optional<Interval>& interval) {
   return interval ? std::optional(interval->value) : std::nullopt;
 }
 
-std::string fault_cell(const std::optional<Diagnosis>& diagnosis) {
+/// A column's full-precision value, which sorts, and its text.
+Json cell(const std::optional<double>& value, const std::string& text) {
+  return {value ? Json(*value) : Json(nullptr), text};
+}
+
+Json fault_cell(const std::optional<Diagnosis>& diagnosis) {
   const auto worst = diagnosis ? worst_fault(diagnosis->faults) : std::nullopt;
   std::optional<double> part;
   if (diagnosis) part = worst ? diagnosis->faults.of(*worst).mean_abs_error : 0.0;
-  return number_cell("worst_fault", part, format_worst_fault(diagnosis));
-}
-
-std::string error_cells(const VisibilityError& error) {
-  const auto penumbra = region_rmse(error.penumbra);
-  return number_cell("rmse", value_of(error.rmse), format_interval(error.rmse)) +
-         number_cell("bias", error.bias, format_signed_error(error.bias)) +
-         number_cell("over_shadowing", error.over_shadowing, format_error(error.over_shadowing)) +
-         number_cell("under_shadowing", error.under_shadowing, format_error(error.under_shadowing)) +
-         number_cell("penumbra_rmse", penumbra, format_error(penumbra)) +
-         number_cell("penumbra_share", error.penumbra.share, format_share(error.penumbra.share));
-}
-
-std::string verdict_cell(const Judgement& judgement) {
-  std::string text = judgement.verdict ? format_verdict(judgement.verdict) : "";
-  if (judgement.limit) text += (text.empty() ? "limit: " : "; limit: ") + format_limit(*judgement.limit);
-  return fmt::format("<td data-column=\"verdict\">{}</td>",
-                     escape_html(text.empty() ? kNotApplicable : text));
-}
-
-std::string wrong_cell(const std::optional<SignificanceNumbers>& numbers) {
-  if (!numbers || numbers->tested == 0) return number_cell("wrong_pixels", std::nullopt, kNotApplicable);
-  const size_t wrong = numbers->too_dark + numbers->too_bright;
-  return number_cell("wrong_pixels", static_cast<double>(wrong),
-                     format_share(static_cast<double>(wrong) / static_cast<double>(numbers->tested)));
-}
-
-std::string missing_cells(const SceneResult& scene, const TechniqueResult& run) {
-  std::string reason = "not compared";
-  if (run.failure)
-    reason = run.failure->message;
-  else if (scene.parity && !scene.parity->passes)
-    reason = "void: parity fails";
-  else if (scene.failure)
-    reason = scene.failure->message;
-  return fmt::format("<td colspan=\"9\" class=\"problem\">{}</td>", escape_html(reason));
-}
-
-std::string row(const SceneResult& scene, size_t scene_index, size_t run_index) {
-  const TechniqueResult& run = scene.techniques[run_index];
-  const auto total = total_time(run.pass_times);
-  const auto total_ms = total ? std::optional(total->median_ms) : std::nullopt;
-  const auto memory =
-      run.memory_bytes > 0 ? std::optional(static_cast<double>(run.memory_bytes)) : std::nullopt;
-  return fmt::format(
-             "<tr data-scene=\"{0}\" data-technique=\"{1}\"><th scope=\"row\"><a "
-             "href=\"#{2}\">{0}</a></th><td><a href=\"#{3}\">{1}</a></td>",
-             escape_html(scene.name), escape_html(run.label), scene_anchor(scene_index),
-             run_anchor(scene_index, run_index)) +
-         (run.error ? error_cells(*run.error) + fault_cell(run.diagnosis) +
-                          wrong_cell(run.judgement.significance) + verdict_cell(run.judgement)
-                    : missing_cells(scene, run)) +
-         number_cell("total_ms", total_ms, format_time(total)) +
-         number_cell("memory_bytes", memory, memory ? format_bytes(run.memory_bytes) : kNotApplicable) +
-         "</tr>\n";
-}
-
-}  // namespace
-
-std::string scene_anchor(size_t scene_index) {
-  return fmt::format("scene-{}", scene_index + 1);
-}
-
-std::string run_anchor(size_t scene_index, size_t run_index) {
-  return fmt::format("{}-run-{}", scene_anchor(scene_index), run_index + 1);
+  return cell(part, format_worst_fault(diagnosis));
 }
 
 std::string format_limit(const LimitNumbers& limit) {
@@ -95,11 +36,57 @@ std::string format_limit(const LimitNumbers& limit) {
   return text;
 }
 
-std::string summary_rows(const Results& results) {
-  std::string rows;
-  for (size_t i = 0; i < results.scenes.size(); ++i) {
-    for (size_t k = 0; k < results.scenes[i].techniques.size(); ++k) rows += row(results.scenes[i], i, k);
-  }
+std::string verdict_text(const Judgement& judgement) {
+  std::string text = judgement.verdict ? format_verdict(judgement.verdict) : "";
+  if (judgement.limit) text += (text.empty() ? "limit: " : "; limit: ") + format_limit(*judgement.limit);
+  return text.empty() ? kNotApplicable : text;
+}
+
+Json wrong_cell(const std::optional<SignificanceNumbers>& numbers) {
+  if (!numbers || numbers->tested == 0) return cell(std::nullopt, kNotApplicable);
+  const size_t wrong = numbers->too_dark + numbers->too_bright;
+  return cell(static_cast<double>(wrong),
+              format_share(static_cast<double>(wrong) / static_cast<double>(numbers->tested)));
+}
+
+std::string why_missing(const SceneResult& scene, const TechniqueResult& run) {
+  if (run.failure) return run.failure->message;
+  if (scene.parity && !scene.parity->passes) return "void: parity fails";
+  return scene.failure ? scene.failure->message : "not compared";
+}
+
+void add_error_cells(Json& row, const TechniqueResult& run) {
+  const VisibilityError& error = *run.error;
+  const auto penumbra = region_rmse(error.penumbra);
+  row["rmse"] = cell(value_of(error.rmse), format_interval(error.rmse));
+  row["penumbra_rmse"] = cell(penumbra, format_error(penumbra));
+  row["worst_fault"] = fault_cell(run.diagnosis);
+  row["verdict"] = verdict_text(run.judgement);
+  row["wrong_pixels"] = wrong_cell(run.judgement.significance);
+  row["bias"] = cell(error.bias, format_signed_error(error.bias));
+  row["over_shadowing"] = cell(error.over_shadowing, format_error(error.over_shadowing));
+  row["under_shadowing"] = cell(error.under_shadowing, format_error(error.under_shadowing));
+  row["penumbra_share"] = cell(error.penumbra.share, format_share(error.penumbra.share));
+}
+
+Json row_of(const SceneResult& scene, const TechniqueResult& run) {
+  const auto total = total_time(run.pass_times);
+  const auto memory =
+      run.memory_bytes > 0 ? std::optional(static_cast<double>(run.memory_bytes)) : std::nullopt;
+  Json row{{"total_ms", cell(total ? std::optional(total->median_ms) : std::nullopt, format_time(total))},
+           {"memory_bytes", cell(memory, memory ? format_bytes(run.memory_bytes) : kNotApplicable)}};
+  if (run.error)
+    add_error_cells(row, run);
+  else
+    row["missing"] = why_missing(scene, run);
+  return row;
+}
+
+}  // namespace
+
+Json summary_rows(const SceneResult& scene) {
+  Json rows = Json::array();
+  for (const TechniqueResult& run : scene.techniques) rows.push_back(row_of(scene, run));
   return rows;
 }
 

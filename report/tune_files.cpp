@@ -2,12 +2,14 @@
 #include "report/tune_files.h"
 
 #include "core/error.h"
+#include "report/required_fields.h"
 #include "report/side_files.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -43,7 +45,7 @@ Json sweep_json(const Json& sweep, const Json& document, const std::string& file
   Json out{{"file", file},
            {"parameter", sweep.at("parameter").get<std::string>()},
            {"unit", unit},
-           {"beside", sweep.value("beside", "")},
+           {"beside", sweep.contains("beside") ? sweep.at("beside") : Json("")},
            {"values", row(sweep, "bias", count, file)},
            {"objective", row(sweep, "objective", count, file)},
            {"acne", row(sweep, "acne_share", count, file)},
@@ -57,7 +59,30 @@ Json sweep_json(const Json& sweep, const Json& document, const std::string& file
   return out;
 }
 
+constexpr std::array kTuningFields = std::to_array<std::string_view>(
+    {"technique:text", "scenes[]:text", "objective:text", "tuned[]:text", "sensitivity[].parameter:text",
+     "sensitivity[].rise_below?:number", "sensitivity[].rise_above?:number", "best.name:text",
+     "best.same_cost:flag", "best.ratio?:number", "best.held_out_ratio?:number", "best.parameters:object",
+     "others[].name:text", "others[].same_cost:flag", "others[].ratio?:number",
+     "others[].held_out_ratio?:number", "others[].parameters:object"});
+
+Json tuning_json(const Json& document, const std::string& file) {
+  require_fields(document, kTuningFields);
+  Json out{{"file", file}};
+  for (const char* key : {"technique", "scenes", "objective", "tuned", "sensitivity", "best", "others"})
+    out[key] = document.at(key);
+  return out;
+}
+
 }  // namespace
+
+Json read_tunings(const std::filesystem::path& folder) {
+  Json tunings = Json::array();
+  for_side_files(folder, "tune", [&](const Json& document, const std::string& file) {
+    if (document.contains("best")) tunings.push_back(tuning_json(document, file));
+  });
+  return tunings;
+}
 
 Json read_bias_sweeps(const std::filesystem::path& folder) {
   Json sweeps = Json::array();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scenes/read_mesh.h"
 
+#include "scenes/assimp/assimp_mesh.h"
 #include "scenes/file_ending.h"
 #include "scenes/gltf/gltf_mesh.h"
 #include "scenes/obj/load_obj.h"
@@ -93,15 +94,22 @@ void apply(const Transform& transform, MeshData& mesh) {
 
 fs::path require_mesh_file(const TomlReader& reader, const std::string& name, const fs::path& folder,
                            const SceneSearch& search) {
-  if (!has_ending(name, ".obj") && !has_ending(name, ".obj.zst") && !is_gltf(name)) {
+  if (!has_ending(name, ".obj") && !has_ending(name, ".obj.zst") && !is_gltf(name) &&
+      !is_read_by_assimp(name)) {
     reader.fail("file", fmt::format("mesh file '{}' has an unknown format", name),
-                "'.obj', '.obj.zst', '.gltf' and '.glb' are read");
+                "'.obj', '.obj.zst', '.gltf', '.glb', '.fbx', '.dae', '.ply' and '.stl' are read");
   }
   if (const auto found = find_mesh_file(name, folder, search)) return *found;
   std::string places = fmt::format("'{}'", folder.empty() ? "." : folder.string());
   if (!search.assets.empty()) places += fmt::format(" and '{}'", search.assets.string());
   reader.fail("file", fmt::format("mesh file '{}' is not in {}", name, places),
               "give the folder of the models with --assets DIR or UMBRAMETER_ASSETS");
+}
+
+MeshData load_mesh_file(const fs::path& file, const MeshFilter& filter, std::vector<std::string>& warnings) {
+  if (is_gltf(file.string())) return load_gltf_mesh(open_gltf(file), filter, warnings);
+  if (is_read_by_assimp(file.string())) return load_assimp_mesh(file, filter, warnings);
+  return load_obj(file, filter, warnings);
 }
 
 }  // namespace
@@ -137,8 +145,7 @@ NamedMesh read_mesh(const TomlNode& table, const fs::path& folder, const SceneSe
     const MeshFilter filter{reader.texts("include"), reader.texts("exclude")};
     reader.finish();  // a misspelt key is cheaper to find than a large file is to load
     const fs::path found = require_mesh_file(reader, file, folder, search);
-    result.mesh = is_gltf(file) ? load_gltf_mesh(open_gltf(found), filter, warnings)
-                                : load_obj(found, filter, warnings);
+    result.mesh = load_mesh_file(found, filter, warnings);
   }
   apply(transform, result.mesh);
   return result;

@@ -22,4 +22,6 @@ fi
 echo "install_packages: ${#missing[@]} packages: ${missing[*]}"
 export DEBIAN_FRONTEND=noninteractive
 "${as_root[@]}" apt-get update -qq
-"${as_root[@]}" apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
+# What apt says of its progress goes to descriptor 1, all else nowhere; sudo would close a further one.
+"${as_root[@]}" apt-get install -y -qq -o APT::Status-Fd=1 -o Dpkg::Use-Pty=0 --no-install-recommends "${missing[@]}" |
+  awk -v phase=packages -f quickstart_progress.awk >&2

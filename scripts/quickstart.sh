@@ -7,6 +7,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 start=$SECONDS
 phase() { echo "quickstart: [$1/4] $2" >&2; }
+progress() { awk -v phase="$1" -f scripts/quickstart_progress.awk >&2; }
 
 phase 1 "packages (scripts/packages.txt, those that the program needs)"
 bash scripts/install_packages.sh --program
@@ -16,7 +17,7 @@ launcher=()
 command -v ccache >/dev/null && launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
 cmake --preset release -DUMBRAMETER_TESTS=OFF -DUMBRAMETER_BENCHES=OFF -DUMBRAMETER_PYTHON=OFF "${launcher[@]}" >/dev/null
 phase 3 "building (the first time some minutes)"
-NINJA_STATUS="quickstart: [3/4] %f of %t files, %es " cmake --build --preset release --target umbrameter
+NINJA_STATUS="@@%f %t " cmake --build --preset release --target umbrameter | progress build
 program=build/release/cli/umbrameter
 
 scenes=(contact_hardening fence stacked_plates)
@@ -29,6 +30,6 @@ fi
 phase 4 "measuring ${#scenes[@]} scenes: ${scenes[*]}"
 techniques=()
 for id in hard pcf vsm esm pcss; do techniques+=(--technique "$id"); done
-table=$("$program" validate "${scenes[@]}" "${techniques[@]}" --quality quick --out out "$@") ||
+{ table=$("$program" validate "${scenes[@]}" "${techniques[@]}" --quality quick --out out "$@" 2>&3); } 3> >(progress measure) ||
   { code=$?; echo "$table"; exit "$code"; }
 python3 scripts/quickstart_summary.py out/results.json $((SECONDS - start))

@@ -58,6 +58,7 @@ std::vector<LabelledRequest> choose_runs(const Context& context, BenchScene& sce
     entry.technique = technique.id;
     entry.hash = technique.hash;
     entry.parameters = technique.parameters;
+    entry.compares_per_pixel = run.compares_per_pixel;
     entry.seed = run.seed;
     scene.entries.push_back(std::move(entry));
   }

@@ -20,6 +20,7 @@ namespace umbrameter {
 struct BenchRun {
   TechniqueRun technique;
   uint64_t seed = 1;
+  std::optional<double> compares_per_pixel = {};  // as in RunCost
 };
 
 struct BenchPlan {

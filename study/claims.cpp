@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/claims.h"
 
+#include "core/error.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -82,6 +84,7 @@ void judge_claim(const Claim& claim, std::span<const BenchEntry> entries, ClaimR
   const std::array<const std::string*, 2> labels{&claim.numerator, &claim.denominator};
   for (const size_t side : {0u, 1u}) {
     const BenchEntry* entry = find_entry(entries, *labels[side]);
+    if (entry != nullptr) result.compares_per_pixel[side] = entry->compares_per_pixel;
     if (entry == nullptr || entry->failure) {
       result.reason = fmt::format("'{}' {}", *labels[side], entry == nullptr ? "was skipped" : "failed");
       return;
@@ -111,6 +114,28 @@ void judge_claim(const Claim& claim, std::span<const BenchEntry> entries, ClaimR
   judge(*result.ours, result);
 }
 
+std::string count_text(const std::string& label, const std::optional<double>& count) {
+  return fmt::format("'{}' {}", label, count ? fmt::format("{:.4g}", *count) : "an unknown number");
+}
+
+void require_fair_cost(const Claim& claim, std::span<const RunCost> runs) {
+  const auto compares = [&](const std::string& label) {
+    const auto found = std::ranges::find(runs, label, &RunCost::label);
+    return found == runs.end() ? std::nullopt : found->compares_per_pixel;
+  };
+  const auto one = compares(claim.numerator), other = compares(claim.denominator);
+  const bool is_equal = one && other && std::max(*one, *other) <= (1.0 + kEqualCost) * std::min(*one, *other);
+  if (is_equal != claim.has_unequal_cost) return;
+  const std::string counts = fmt::format("{} and {} comparisons a pixel", count_text(claim.numerator, one),
+                                         count_text(claim.denominator, other));
+  if (is_equal) {
+    fail_input(fmt::format("the claim '{}' says unequal_cost, of {}", claim.text, counts), claim.where,
+               "leave it out");
+  }
+  fail_input(fmt::format("the claim '{}' compares unequal costs: {}", claim.text, counts), claim.where,
+             "make them equal, or say unequal_cost = true: the counts are printed beside it then");
+}
+
 }  // namespace
 
 std::vector<ClaimResult> judge_claims(std::span<const Claim> claims, const std::string& scene,
@@ -126,6 +151,19 @@ std::vector<ClaimResult> judge_claims(std::span<const Claim> claims, const std::
     results.push_back(std::move(result));
   }
   return results;
+}
+
+void require_fair_costs(std::span<const Claim> claims, std::span<const RunCost> runs) {
+  for (const Claim& claim : claims) {
+    if (claim.quantity != Quantity::memory) require_fair_cost(claim, runs);
+  }
+}
+
+std::string format_compares(const ClaimResult& result) {
+  const auto text = [](const std::optional<double>& count) {
+    return count ? fmt::format("{:.4g}", *count) : "?";
+  };
+  return fmt::format("{} : {}", text(result.compares_per_pixel[0]), text(result.compares_per_pixel[1]));
 }
 
 std::string_view verdict_text(const ClaimResult& result) {

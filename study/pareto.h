@@ -20,6 +20,7 @@ struct BenchEntry {
   std::string technique;  // id
   std::string hash;       // of the technique's manifest and shaders
   ParameterValues parameters;
+  std::optional<double> compares_per_pixel;
   std::string picture_hash;  // of its visibility, to the bit; empty without one
   uint64_t seed = 0;
   std::optional<Failure> failure;

@@ -124,6 +124,9 @@ Claim read_claim(const TomlNode& table, const StudyFile& study) {
   if (!needs_pass && reader.has("pass")) reader.fail("pass", "'pass' belongs to quantity = \"pass_time\"");
   if (reader.has("pictures"))
     claim.pictures = static_cast<ClaimPictures>(reader.choice("pictures", kClaimPictures));
+  if (!is_frame && !needs_pass && reader.has("unequal_cost"))
+    reader.fail("unequal_cost", "'unequal_cost' is about times, not about memory");
+  claim.has_unequal_cost = reader.boolean("unequal_cost", false);
   read_paper(reader, study.scenes, claim);
   reader.finish();
   return claim;

@@ -48,6 +48,8 @@ struct Claim {
   std::string pass;                  // pass_time only
   std::vector<std::string> without;  // time and fps: passes of the frame that the paper leaves out
   ClaimPictures pictures = ClaimPictures::other;
+  bool has_unequal_cost =
+      false;  // the two sides compare the map unequally often, and that is what is claimed
   std::optional<PaperRatio> every_scene;
   std::vector<std::pair<std::string, PaperRatio>> by_scene;
   FileLocation where;

@@ -124,6 +124,13 @@ void read_constraints(Manifest& manifest, TomlReader& reader, const Names& scope
   }
 }
 
+/// Says what a technique costs and uses no parameter: one that nothing else reads is still without effect.
+void read_cost(Manifest& manifest, TomlReader& reader, const Names& scope) {
+  const auto used = manifest.expression_names;
+  manifest.technique.compares_per_pixel = read_expression(manifest, reader, "compares_per_pixel", scope);
+  manifest.expression_names = used;
+}
+
 void read_values(Manifest& manifest, TomlReader& reader, Names& scope) {
   for (const TomlNode* table : reader.tables("value")) {
     TomlReader source(*table, "[[value]]");
@@ -161,6 +168,7 @@ Manifest read_manifest(const std::filesystem::path& folder, const std::filesyste
   for_all([&](TomlReader& source) { add_parameters(technique, source); });
   Names scope = parameter_names(technique);
   for_all([&](TomlReader& source) { read_constraints(manifest, source, scope); });
+  read_cost(manifest, reader, scope);
   scope.insert(scope.end(), builtin_variables().begin(), builtin_variables().end());
   for_all([&](TomlReader& source) { read_values(manifest, source, scope); });
   for_all([&](TomlReader& source) {

@@ -122,6 +122,12 @@ ParameterValues resolve_parameters(const Technique& technique, const ParameterVa
   return values;
 }
 
+std::optional<double> compares_per_pixel(const Technique& technique, const ParameterValues& values) {
+  const Expression& expression = technique.compares_per_pixel;
+  if (expression.is_empty()) return std::nullopt;
+  return expression.evaluate(parameter_variables(technique.parameters, values));
+}
+
 Technique with_stages(Technique technique, const ParameterValues& values) {
   for (const auto& [name, value] : values) {
     if (!name.starts_with(kStagePrefix)) continue;

@@ -9,6 +9,7 @@
 #include "scenes/light.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,7 @@ struct Technique {
   std::filesystem::path folder;
   std::vector<Parameter> parameters;  // those of the included files, then own ones
   std::vector<Expression> constraints;
+  Expression compares_per_pixel;         // see below; empty: not told
   std::vector<ValueDeclaration> values;  // each may use those before it
   std::vector<ViewDeclaration> views;
   std::vector<ResourceDeclaration> resources;
@@ -67,6 +69,11 @@ Technique find_technique(const std::string& id_or_path, const std::filesystem::p
 /// Defaults, then the preset named by the pseudo-parameter "preset" if given, then `overrides`; checks names,
 /// ranges and constraints. The pseudo-parameters "stage.<parameter>" stay in the result.
 ParameterValues resolve_parameters(const Technique& technique, const ParameterValues& overrides);
+
+/// How often a pixel compares its receiver with what it reads of the light's maps, at most: search and filter together, a
+/// sampler's comparison, blend or gather once. Means over pixels where not all of them do. Absent when the manifest does
+/// not tell.
+std::optional<double> compares_per_pixel(const Technique& technique, const ParameterValues& values);
 
 /// The technique with every define parameter that `values` names in "stage.<parameter>" = "uniform" made a uniform: the
 /// same shader with bounds known at compile time or not. Error{input} for parameters that cannot be switched.

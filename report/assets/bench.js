@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `bench` measured: time against error with the recommended run, and the truth's own curve.
+// What `bench` measured: time against error with the recommended run, and the truth's own curve, as plots.
 
 const benchCharts = [];
 
 function drawBench(owner) {
   const {bench} = owner, colours = themeColours();
-  const points = bench.runs.map(run => ({x: run.time_ms.value, y: run.rmse.value, label: run.label, isOnFront: run.is_on_front,
+  const points = bench.runs.filter(run => run.time_ms && run.rmse).map(run => ({x: run.time_ms.value, y: run.rmse.value, label: run.label, isOnFront: run.is_on_front,
                                          bars: {x: [run.time_ms.low, run.time_ms.high], y: [run.rmse.low, run.rmse.high]}}));
   const best = points.filter(point => point.label === bench.recommended).map(({x, y, label}) => ({x, y, label}));
   const ring = {label: `recommended: ${bench.recommended}`, data: best, pointStyle: "circle", pointRadius: 11, borderColor: colours.third, backgroundColor: "transparent", borderWidth: 2};
@@ -32,13 +32,5 @@ function drawTruthCurve(owner) {
       scales: {x: axis("processor time, s", {type: "logarithmic"}), y: axis("RMSE of R", {type: "logarithmic"})},
       plugins: {tooltip: {callbacks: {label: item => `${item.raw.label}: ${item.raw.x.toPrecision(3)} s, RMSE ${item.raw.y.toPrecision(3)}`}}},
     },
-  });
-}
-
-function makeBenches() {
-  page.benches.forEach((bench, k) => {
-    benchCharts.push({root: document.getElementById(`bench-${k + 1}`), charts: {}, bench});
-    drawBench(benchCharts.at(-1));
-    drawTruthCurve(benchCharts.at(-1));
   });
 }

@@ -22,7 +22,11 @@ function pixelOn(scale, value) {
 const intervalBars = {
   id: "intervalBars",
   beforeDatasetsDraw(chart) {
-    const {ctx, scales: {x, y}} = chart;
+    const {ctx, chartArea, scales: {x, y}} = chart;
+    ctx.save();
+    ctx.beginPath();
+    ctx.rect(chartArea.left, chartArea.top, chartArea.width, chartArea.height);
+    ctx.clip();
     chart.data.datasets.forEach(set => set.data.forEach(point => {
       if (!point?.bars) return;
       const [x0, x1, y0, y1] = [pixelOn(x, point.bars.x[0]), pixelOn(x, point.bars.x[1]),
@@ -37,6 +41,7 @@ const intervalBars = {
       ctx.lineTo(xm, y1);
       ctx.stroke();
     }));
+    ctx.restore();
   },
 };
 
@@ -74,7 +79,7 @@ const safeWindow = {
 };
 
 function chartOptions(given) {
-  const legend = {labels: {color: themeColours().ink, filter: item => item.text !== ""}};
+  const legend = {labels: {color: themeColours().ink, usePointStyle: true, boxWidth: 22, boxHeight: 7, filter: item => item.text !== ""}};
   return {animation: false, responsive: true, maintainAspectRatio: false, ...given,
           plugins: {legend, ...given.plugins, tooltip: {filter: item => !item.dataset.isQuiet, ...given.plugins?.tooltip}}};
 }
@@ -133,7 +138,7 @@ function timesConfig(points, isOnFront, isMarked, more, options) {
     data: {datasets: sets.filter(one => one.data.length > 0)},
     options: {
       scales: {x: axis("time of a frame, ms", {type: "logarithmic"}), y: errorAxis("RMSE of V", points)},
-      plugins: {tooltip: {callbacks: {label: item => `${item.raw.label}: ${item.raw.x.toPrecision(3)} ms, RMSE ${item.raw.y.toFixed(5)}`}}},
+      plugins: {tooltip: {callbacks: {label: item => `${item.raw.label}: ${significantText(item.raw.x, 3)} ms, RMSE ${item.raw.y.toFixed(5)}`}}},
       ...options,
     },
   };
@@ -158,7 +163,7 @@ function drawHardening(viewer) {
   const colours = themeColours(), widths = entry.widths, low = widths[0][0], high = widths.at(-1)[0];
   const middle = Math.log2(widths[widths.length >> 1][0]);
   const fitted = x => 2 ** (middle + hardening.intercept_octaves + hardening.slope * (Math.log2(x) - middle));
-  const line = (label, of, style) => ({type: "line", label, data: [low, high].map(x => ({x, y: of(x)})), pointRadius: 0, backgroundColor: "transparent", ...style});
+  const line = (label, of, style) => ({type: "line", label, data: [low, high].map(x => ({x, y: of(x)})), pointRadius: 0, pointStyle: "line", backgroundColor: "transparent", ...style});
   const sets = [{label: `profiles (${widths.length} of ${entry.profiles})`, data: widths.map(([x, y]) => ({x, y})), borderColor: colours.second, backgroundColor: "transparent", pointRadius: 2},
                 line("right", x => x, {borderColor: colours.ink, borderWidth: 1, borderDash: [4, 4]})];
   if (hardening.identifiable) sets.push(line(`slope ${hardening.slope.toFixed(2)}`, fitted, {borderColor: colours.third, borderWidth: 2}));

@@ -20,12 +20,19 @@ function grey(share) {
   return [level, level, level];
 }
 
-// `shown`: planes of scene, run and what it is compared with. Each layer: is it there, and a pixel's colour.
+function signedRamp(low, high) {
+  return {low, high, colours: [palette.too_dark, palette.no_error, palette.too_bright]};
+}
+
+// `shown`: planes of scene, run and what it is compared with. Each layer: is it there, its scale in words and, where it has
+// one, as a ramp; a pixel's colour, and its number as text.
 const layers = {
   error: {
     label: "Signed error",
     scale: shown => `${shown.isReference ? "V - R" : "V - other"}, blue -${errorScale(shown)} too dark to red +${errorScale(shown)} too bright`,
     has: shown => Boolean(shown.run.scored),
+    ramp: shown => signedRamp(`-${errorScale(shown)} too dark`, `+${errorScale(shown)} too bright`),
+    value: (shown, i) => shown.run.scored[i] === 0 ? "" : shortNumber(shown.run.visibility[i] - shown.other.visibility[i], 3),
     colour: (shown, i) => shown.run.scored[i] === 0 ? palette.unscored
         : signedColour((shown.run.visibility[i] - shown.other.visibility[i]) / errorScale(shown)),
   },
@@ -34,6 +41,8 @@ const layers = {
     scale: shown => `z of V - R against the reference's noise, blue -${kZScale} to red +${kZScale} sigmas` +
         (shown.threshold ? `; from ${shown.threshold.toFixed(2)} on a pixel is called wrong, paler ones are not` : ""),
     has: shown => Boolean(shown.run.scored && shown.scene.visibility_se),
+    ramp: () => signedRamp(`-${kZScale} sigmas`, `+${kZScale} sigmas`),
+    value: (shown, i) => shown.run.scored[i] === 0 ? "" : shortNumber(deviateAt(shown, i), 1),
     colour: (shown, i) => {
       if (shown.run.scored[i] === 0) return palette.unscored;
       const z = deviateAt(shown, i);
@@ -45,18 +54,23 @@ const layers = {
     label: "Fault classes",
     scale: () => "the class of every wrong pixel, in the legend's colours",
     has: shown => Boolean(shown.run.faults),
+    value: (shown, i) => shown.run.faults[i] < 2 ? "" : palette.faults[shown.run.faults[i]].name.slice(0, 4),
     colour: (shown, i) => palette.faults[shown.run.faults[i]].colour,
   },
   se: {
     label: "Standard error of R",
     scale: () => `black 0 to white ${kSeScale}`,
     has: shown => Boolean(shown.scene.visibility_se),
+    ramp: () => ({low: "0", high: String(kSeScale), colours: [grey(0), grey(1)]}),
+    value: (shown, i) => shown.scene.hit[i] === 0 ? "" : shortNumber(shown.scene.visibility_se[i], 4),
     colour: (shown, i) => shown.scene.hit[i] === 0 ? palette.background : grey(shown.scene.visibility_se[i] / kSeScale),
   },
   blocker: {
     label: "Blocker distance",
     scale: shown => `black 0 to white ${shown.farthestBlocker.toPrecision(3)} world units, as a square root; blue: nothing blocks`,
     has: shown => Boolean(shown.scene.blocker_distance),
+    ramp: shown => ({low: "0", high: `${shown.farthestBlocker.toPrecision(3)} world units`, colours: [0, 0.5, 0.71, 0.87, 1].map(grey)}),
+    value: (shown, i) => shown.scene.blocker_distance[i] > 0 ? shown.scene.blocker_distance[i].toPrecision(2) : "",
     colour: (shown, i) => shown.scene.blocker_distance[i] > 0
         ? grey(Math.sqrt(shown.scene.blocker_distance[i] / shown.farthestBlocker)) : palette.background,
   },
@@ -64,6 +78,7 @@ const layers = {
     label: "Parity of the two renderers",
     scale: () => "the class of every pixel, in the legend's colours",
     has: shown => Boolean(shown.scene.parity),
+    value: () => "",
     colour: (shown, i) => palette.parity[shown.scene.parity[i]].colour,
   },
 };

@@ -30,7 +30,7 @@ const overviewMetrics = {
   penumbra: {label: "RMSE in penumbrae", value: run => run.error?.penumbra?.rmse ?? null, text: value => value.toFixed(3)},
   bias: {label: "|mean error|", value: run => run.error ? Math.abs(run.error.bias) : null, text: value => value.toFixed(3)},
   fault: {label: "worst fault's part of the mean |error|", value: run => run.faults ? worstFault(run)?.part ?? 0 : null, text: value => value.toFixed(3)},
-  time: {label: "time of a frame, ms", value: run => run.error ? totalMs(run) : null, text: value => value.toPrecision(2)},
+  time: {label: "time of a frame, ms", value: run => run.error ? totalMs(run) : null, text: value => significantText(value, 2)},
 };
 
 function percentile(sorted, share) {
@@ -61,9 +61,14 @@ function overviewRows() {
   return Array.from(rows).map(row => ({label: row[0], places: row[1], order: order(row)})).sort((a, b) => a.order - b.order);
 }
 
+// Of an earlier results folder: shown, but no choice for today.
+function isEarlier(run) {
+  return run.label?.endsWith(kBeforeMark) ?? false;
+}
+
 // The index of the run that is closest to the truth within `factor` times the fastest scored run's time; -1 without any.
 function bestAffordable(scene, factor) {
-  const scored = scene.techniques.flatMap((run, index) => overviewMetrics.rmse.value(run) === null ? [] : [{run, index}]);
+  const scored = scene.techniques.flatMap((run, index) => overviewMetrics.rmse.value(run) === null || isEarlier(run) ? [] : [{run, index}]);
   const times = scored.map(({run}) => totalMs(run)).filter(time => time !== null);
   const limit = times.length ? factor * Math.min(...times) : Infinity;
   const affordable = scored.filter(({run}) => times.length === 0 || (totalMs(run) ?? Infinity) <= limit);
@@ -75,7 +80,7 @@ function cellLabel(scene, run) {
   const fault = worstFault(run), time = totalMs(run);
   return `${run.label} in ${scene.name}: RMSE ${run.error.rmse ? run.error.rmse.value.toFixed(4) : "n/a"}` +
       (fault ? `, worst fault ${fault.name.replaceAll("_", " ")} ${fault.part.toFixed(4)}` : "") +
-      (time === null ? "" : `, ${time.toPrecision(3)} ms`);
+      (time === null ? "" : `, ${significantText(time, 3)} ms`);
 }
 
 function fillCell(cell, sceneIndex, runIndex, metric, scale, isBest) {
@@ -112,19 +117,25 @@ function drawOverview() {
   const words = Array.from(wins).sort((a, b) => b[1] - a[1]).map(([label, count]) => `${label} in ${count}`);
   document.getElementById("overview-best").textContent = words.length === 0 ? "" :
       `Best for the time (framed): ${words.join(", ")} of ${results.scenes.length} scene${results.scenes.length === 1 ? "" : "s"}.`;
+  fillBestTable(factor);
 }
 
 // A small lit picture of the truth at the head of a scene's column, drawn when there is time.
 async function drawThumbnail(canvas, sceneIndex) {
   const entry = page.scenes[sceneIndex];
   if (!entry) return;
-  const planes = await scenePlanes(sceneIndex);
+  const planes = await litPlanes(sceneIndex);
   const picture = paintBitmap(entry.width, entry.height, litColour(planes, planes, litScale(planes)));
   canvas.width = kThumbnail_px;
   canvas.height = Math.round(kThumbnail_px * entry.height / entry.width);
   const context = canvas.getContext("2d");
   context.imageSmoothingQuality = "high";
   context.drawImage(picture, 0, 0, canvas.width, canvas.height);
+}
+
+// May be broken after what joins its words.
+function breakable(name) {
+  return name.replaceAll(/[_/:=,]/g, joint => joint + "\u200b");
 }
 
 function sceneHead(scene, sceneIndex) {
@@ -135,7 +146,7 @@ function sceneHead(scene, sceneIndex) {
   const entry = page.scenes[sceneIndex];
   canvas.width = 160;
   canvas.height = Math.round(kThumbnail_px * (entry ? entry.height / entry.width : 9 / 16));
-  link.append(canvas, scene.name.replaceAll("_", "_\u200b").replaceAll("/", "/\u200b"));
+  link.append(canvas, breakable(scene.name));
   cell.append(link);
   return cell;
 }
@@ -154,7 +165,7 @@ function makeOverview() {
   for (const row of overviewRows()) {
     const line = document.createElement("tr"), name = document.createElement("th");
     name.scope = "row";
-    name.textContent = row.label;
+    name.textContent = breakable(row.label);
     line.append(name, ...results.scenes.map((scene, index) => {
       const cell = document.createElement("td");
       cell.dataset.run = row.places[index] ?? "";

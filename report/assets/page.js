@@ -10,6 +10,7 @@ function applyTheme() {
   document.documentElement.dataset.theme = isDark ? "dark" : "light";
   button.textContent = isDark ? "Light" : "Dark";
   button.setAttribute("aria-pressed", String(isDark));
+  drawFront();
   for (const owner of sweepCharts) drawSweep(owner);
   for (const owner of benchCharts) {
     drawBench(owner);
@@ -90,15 +91,18 @@ function fillContents() {
 }
 
 function start() {
+  fillTexts();
+  makeRegress();
+  makeBenches();
+  makeStress();
+  makeSweeps();
   for (const table of document.querySelectorAll("table.sortable")) listenToHeadings(table);
-  listenToFilter(document.getElementById("results"));
+  if (page.texts) listenToFilter(document.getElementById("results"));
   for (const table of document.querySelectorAll("table[role=grid]")) listenToMap(table);
   makeOverview();
   const isShort = document.querySelectorAll("#results tbody tr").length <= kShortTable;
   document.getElementById("all-runs").open = isShort;
-  window.addEventListener("beforeprint", () => { document.getElementById("all-runs").open = true; });
-  makeSweeps();
-  makeBenches();
+  window.addEventListener("beforeprint", () => { for (const folded of document.querySelectorAll("#all-runs, .made")) folded.open = true; });
   fillContents();
   applyTheme();
   document.getElementById("theme").addEventListener("click", toggleTheme);

@@ -47,10 +47,10 @@ function decodeWords(bytes, code) {
   return values;
 }
 
-// {name: Float32Array, or Uint8Array of classes} of a scene or run of page.scenes.
-async function decodePlanes(entry) {
+// {name: Float32Array, or Uint8Array of classes} of a scene or run of page.scenes: all planes, or those of `wanted` that it has.
+async function decodePlanes(entry, wanted = Object.keys(entry.planes)) {
   const packed = await packedPlanes(entry.id);
-  const names = Object.keys(entry.planes);
+  const names = wanted.filter(name => entry.planes[name]);
   const planes = await Promise.all(names.map(async name => {
     const bytes = await inflate(packed[name]);
     return entry.planes[name].bytes ? bytes : decodeWords(bytes, entry.planes[name]);
@@ -63,6 +63,11 @@ const keptScenes = new Map();
 function scenePlanes(sceneIndex) {
   if (!keptScenes.has(sceneIndex)) keptScenes.set(sceneIndex, decodePlanes(page.scenes[sceneIndex]));
   return keptScenes.get(sceneIndex);
+}
+
+// What a lit picture of the truth needs; all that a thumbnail or a crop decodes.
+function litPlanes(sceneIndex) {
+  return keptScenes.get(sceneIndex) ?? decodePlanes(page.scenes[sceneIndex], ["visibility", "hit", "unshadowed"]);
 }
 
 // Decoded planes of the runs looked at last; a scene's own stay as long as its viewer.

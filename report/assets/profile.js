@@ -67,13 +67,13 @@ function walk(viewer, usable, direction, side, stepLength) {
     }
     pixels.push(i);
     before = i;
-    const isOut = planes => side > 0 ? planes.visibility[i] > 1 - kPlateau : planes.visibility[i] < kPlateau;
+    const isOut = planes => planes.visibility[i] > 1 - kPlateau || planes.visibility[i] < kPlateau;
     beyond = isOut(scene) && isOut(run) ? beyond + 1 : 0;
   }
   return pixels;
 }
 
-// {unit, points: [{s, r, se, v, other}], widths} along the profile; null where R is flat.
+// {unit, points: [{i, s, r, se, v, other}], line (first and last pixel), widths} along the profile; null where R is flat.
 function measureProfile(viewer) {
   const {shown, cursor, entry: {width, height}} = viewer, {scene, run} = shown;
   const usable = i => scene.hit[i] === 1 && (!run.scored || run.scored[i] === 1);
@@ -94,11 +94,11 @@ function measureProfile(viewer) {
   const origin = world && positionAt(scene, at);
   const place = i => world ? dot(minus(positionAt(scene, i), origin), world) / stepLength
       : (i % width - cursor.x) * direction[0] + (Math.floor(i / width) - cursor.y) * direction[1];
-  const points = pixels.map(i => ({s: place(i), r: scene.visibility[i], se: scene.visibility_se?.[i] ?? 0, v: run.visibility[i],
+  const points = pixels.map(i => ({i, s: place(i), r: scene.visibility[i], se: scene.visibility_se?.[i] ?? 0, v: run.visibility[i],
                                    other: shown.isReference ? null : shown.other.visibility[i]}));
   points.sort((a, b) => a.s - b.s);
   const places = points.map(point => point.s);
-  return {unit: world ? "world units" : "px", points,
+  return {unit: world ? "world units" : "px", points, line: [points[0].i, points.at(-1).i],
           width_r: width_10_90(places, points.map(point => point.r)), width_v: width_10_90(places, points.map(point => point.v))};
 }
 
@@ -115,7 +115,7 @@ function drawProfile(viewer) {
   viewer.profile = profile;
   part(viewer, "profile-text").textContent = profileText(viewer, profile);
   const points = profile?.points ?? [], colours = themeColours();
-  const line = (label, of, style) => ({label, data: points.map(point => ({x: point.s, y: of(point)})), pointRadius: 0, borderWidth: 2, backgroundColor: "transparent", clip: 4, ...style});
+  const line = (label, of, style) => ({label, data: points.map(point => ({x: point.s, y: of(point)})), pointRadius: 0, pointStyle: "line", borderWidth: 2, backgroundColor: "transparent", clip: 4, ...style});
   const band = side => line("", point => point.r + side * 1.96 * point.se, {borderWidth: 0, backgroundColor: colours.band, isQuiet: true});
   const sets = [
     line("R", point => point.r, {borderColor: colours.ink}),

@@ -110,6 +110,7 @@ async function show(viewer, runIndex, otherIndex) {
   part(viewer, "other").value = otherIndex;
   fillLayers(viewer);
   fillOverlays(viewer);
+  fillFigureRuns(viewer);
   part(viewer, "context").textContent = contextLines(viewer).join("\n");
   draw(viewer);
   drawSceneCharts(viewer);

@@ -65,6 +65,8 @@ function drawSplit(context, viewer) {
   context.clearRect(0, 0, width, height);
   drawBitmap(context, viewer, bitmapOf(viewer, "other"));
   context.restore();
+  drawValues(context, viewer, "other", 0, x);
+  drawValues(context, viewer, "run", x, width);
   context.fillStyle = "#e0a000";
   context.fillRect(x - 1, 0, 3, height);
 }
@@ -84,8 +86,14 @@ function drawPane(viewer, pane) {
   if (canvas.width === 0 || canvas.height === 0) return;
   const context = canvas.getContext("2d");
   context.clearRect(0, 0, canvas.width, canvas.height);
-  if (viewer.mode === "slider") drawSplit(context, viewer);
-  else drawBitmap(context, viewer, bitmapOf(viewer, viewer.mode === "flip" && viewer.isFlipped ? "other" : pane));
+  const seen = viewer.mode === "flip" && viewer.isFlipped ? "other" : pane;
+  if (viewer.mode === "slider") {
+    drawSplit(context, viewer);
+  } else {
+    drawBitmap(context, viewer, bitmapOf(viewer, seen));
+    drawValues(context, viewer, seen, 0, canvas.width);
+  }
+  drawProfileLine(context, viewer);
   drawCross(context, viewer);
 }
 
@@ -94,10 +102,13 @@ function drawNow(viewer) {
   const visible = kPanes[viewer.mode];
   for (const box of viewer.root.querySelectorAll("[data-pane]")) box.hidden = !visible.includes(box.dataset.pane);
   if (!viewer.shown) return;
-  for (const pane of visible) drawPane(viewer, pane);
-  part(viewer, "scale").textContent = visible.includes("map") ? "Map: " + layers[viewer.layer].scale(viewer.shown) + "." : "";
-  readOut(viewer);
   drawProfile(viewer);
+  for (const pane of visible) drawPane(viewer, pane);
+  const isMapSeen = visible.includes("map");
+  part(viewer, "scale").textContent = isMapSeen ? "Map: " + layers[viewer.layer].scale(viewer.shown) + "." : "";
+  fillViewerLegend(viewer, isMapSeen);
+  readOut(viewer);
+  scheduleHistogram(viewer);
 }
 
 // At most once a frame.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mouse, touch and keys of a viewer.
+// Keys and controls of a viewer; pointers are viewer_pointer.js.
 
 const kMaxZoom = 64;
 
@@ -111,42 +111,6 @@ function onKey(viewer, event) {
   action(viewer, event.shiftKey ? 10 : 1);
 }
 
-function imagePoint(viewer, canvas, event) {
-  const box = canvas.getBoundingClientRect(), ratio = canvas.width / box.width;
-  const {scale, left, top} = placement(viewer, canvas);
-  return {x: ((event.clientX - box.left) * ratio - left) / scale, y: ((event.clientY - box.top) * ratio - top) / scale};
-}
-
-function listenToCanvas(viewer, canvas) {
-  let drag = null;
-  canvas.addEventListener("pointerdown", event => {
-    drag = {id: event.pointerId, x: event.clientX, y: event.clientY, isMoving: false};
-    viewer.root.focus({preventScroll: true});
-  });
-  canvas.addEventListener("pointermove", event => {
-    part(viewer, "readout").setAttribute("aria-live", "off");
-    if (!viewer.shown) return;
-    if (drag && viewer.view.zoom > 1) {
-      canvas.setPointerCapture(drag.id);
-      const scale = placement(viewer, canvas).scale / (canvas.width / canvas.clientWidth);
-      viewer.view.x -= (event.clientX - drag.x) / scale;
-      viewer.view.y -= (event.clientY - drag.y) / scale;
-      drag = {...drag, x: event.clientX, y: event.clientY};
-      clampView(viewer);
-      return draw(viewer);
-    }
-    const point = imagePoint(viewer, canvas, event);
-    moveCursor(viewer, Math.floor(point.x) - viewer.cursor.x, Math.floor(point.y) - viewer.cursor.y);
-  });
-  for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, () => { drag = null; });
-  canvas.addEventListener("wheel", event => {
-    if (!viewer.root.contains(document.activeElement) && !event.ctrlKey) return;  // the page scrolls
-    event.preventDefault();
-    const point = imagePoint(viewer, canvas, event);
-    zoomAt(viewer, event.deltaY < 0 ? 1.25 : 0.8, point.x, point.y);
-  }, {passive: false});
-}
-
 function listen(viewer) {
   const {root} = viewer;
   root.addEventListener("keydown", event => onKey(viewer, event));
@@ -155,7 +119,8 @@ function listen(viewer) {
     button.addEventListener("click", () => setMode(viewer, button.dataset.mode));
   }
   const onClick = {"zoom-in": () => zoomAtCursor(viewer, 2), "zoom-out": () => zoomAtCursor(viewer, 0.5),
-                   fit: () => fit(viewer), flip: () => flip(viewer), save: () => savePicture(viewer), link: () => linkHere(viewer)};
+                   fit: () => fit(viewer), flip: () => flip(viewer), save: () => savePicture(viewer), link: () => linkHere(viewer),
+                   "figure-png": () => saveFigure(viewer, "png"), "figure-svg": () => saveFigure(viewer, "svg")};
   for (const [role, action] of Object.entries(onClick)) part(viewer, role).addEventListener("click", action);
   part(viewer, "run").addEventListener("change", event => show(viewer, Number(event.target.value), viewer.otherIndex));
   part(viewer, "other").addEventListener("change", event => show(viewer, viewer.runIndex, Number(event.target.value)));
@@ -172,30 +137,4 @@ function listen(viewer) {
     draw(viewer);
   });
   new ResizeObserver(() => draw(viewer)).observe(part(viewer, "panes"));
-}
-
-// What is seen, with its context, as one PNG.
-function savePicture(viewer) {
-  const canvases = kPanes[viewer.mode].map(pane => viewer.root.querySelector(`[data-pane="${pane}"] canvas`));
-  const lines = [...contextLines(viewer), part(viewer, "scale").textContent].filter(text => text);
-  const kLine = 18, kMargin = 8;
-  const sheet = document.createElement("canvas");
-  sheet.width = canvases.reduce((sum, canvas) => sum + canvas.width + kMargin, kMargin);
-  sheet.height = canvases[0].height + 3 * kMargin + (lines.length + 1) * kLine;
-  const context = sheet.getContext("2d");
-  context.fillStyle = "#fff";
-  context.fillRect(0, 0, sheet.width, sheet.height);
-  context.fillStyle = "#000";
-  context.font = "13px sans-serif";
-  let left = kMargin;
-  kPanes[viewer.mode].forEach((pane, k) => {
-    context.fillText(paneTitle(viewer, pane), left, kLine);
-    context.drawImage(canvases[k], left, kLine + kMargin);
-    left += canvases[k].width + kMargin;
-  });
-  lines.forEach((line, k) => context.fillText(line, kMargin, canvases[0].height + 2 * kMargin + (k + 2) * kLine, sheet.width - 2 * kMargin));
-  const link = document.createElement("a");
-  link.download = `${viewer.scene.name}-${runLabel(viewer, viewer.runIndex)}.png`.replaceAll(/[^\w.-]+/g, "-");
-  link.href = sheet.toDataURL("image/png");
-  link.click();
 }

@@ -8,7 +8,7 @@ const kCropShare = 0.22;  // of the picture's width
 function worstRuns() {
   const all = results.scenes.flatMap((scene, sceneIndex) => scene.techniques.flatMap((run, runIndex) => {
     const fault = worstFault(run);
-    return fault && page.scenes[sceneIndex]?.runs[runIndex] ? [{scene: sceneIndex, run: runIndex, technique: run.technique, fault}] : [];
+    return fault && !isEarlier(run) && page.scenes[sceneIndex]?.runs[runIndex] ? [{scene: sceneIndex, run: runIndex, technique: run.technique, fault}] : [];
   })).sort((a, b) => b.fault.part - a.fault.part);
   const chosen = [];
   for (const place of all) {
@@ -51,15 +51,42 @@ function cropCanvas(bitmap, window, size, label) {
   return canvas;
 }
 
-function worstSentence(scene, run, fault) {
+const kMendedRatio = 0.98;  // of the objective; tuning that leaves more has mended nothing
+
+// Numbers as short as they can be told apart.
+function parameterText(value) {
+  return typeof value === "number" ? String(Number(value.toPrecision(3))) : String(value);
+}
+
+// What `tune` found for this technique, of this scene where it was tuned on it: which parameter mends it, and by how much.
+function tuningSentence(scene, run) {
+  const known = page.tunings.filter(tuning => tuning.technique === run.technique && tuning.best.ratio !== null);
+  const tuning = known.find(one => one.scenes.includes(scene.name)) ?? known[0];
+  if (!tuning) return "";
+  const rise = name => {
+    const found = tuning.sensitivity.find(one => one.parameter === name);
+    return Math.max(found?.rise_below ?? 0, found?.rise_above ?? 0);
+  };
+  const changed = tuning.tuned.filter(name => name in run.parameters && tuning.best.parameters[name] !== run.parameters[name]).sort((a, b) => rise(b) - rise(a));
+  const where = tuning.scenes.includes(scene.name) ? "" : ` on ${tuning.scenes.join(", ")}`;
+  if (changed.length === 0 || tuning.best.ratio > kMendedRatio) return `Tuning${where} found no parameters that mend it (${tuning.file}).`;
+  const changes = changed.slice(0, 2).map(name => `${name} ${parameterText(run.parameters[name])} to ${parameterText(tuning.best.parameters[name])}`);
+  const more = changed.length > 2 ? ` and ${changed.length - 2} more` : "";
+  return `Tuning${where} mends it: ${changes.join(", ")}${more} leaves ${(100 * tuning.best.ratio).toFixed(0)} % of the ${tuning.objective} (${tuning.file}).`;
+}
+
+// What is wrong, why, and what mends it, as far as each is known.
+function worstSentences(scene, run, fault) {
   const text = palette.faults.find(one => one.name === fault.name)?.text ?? fault.name;
-  const share = 100 * fault.part / run.error.mae;
-  return `${text}. It makes ${share.toFixed(0)} % of the mean |error| ${run.error.mae.toFixed(4)}.`;
+  const share = 100 * fault.part / run.error.mae, cause = run.fault_causes?.faults?.find(one => one.fault === fault.name)?.sentence;
+  const sentences = [`${text[0].toUpperCase()}${text.slice(1)}; ${share.toFixed(0)} % of the mean |error| ${run.error.mae.toFixed(4)}.`,
+                     cause ? `Why: ${cause}.` : "", tuningSentence(scene, run)];
+  return sentences.filter(sentence => sentence);
 }
 
 async function worstFigure(place) {
   const scene = results.scenes[place.scene], run = scene.techniques[place.run], entry = page.scenes[place.scene];
-  const planes = await scenePlanes(place.scene), pixels = await runPlanes(entry.runs[place.run]);
+  const planes = await litPlanes(place.scene), pixels = await runPlanes(entry.runs[place.run]);
   if (!pixels.faults) return null;
   const size = {width: Math.max(Math.round(kCropShare * entry.width), 8)};
   size.height = Math.min(Math.round(0.75 * size.width), entry.height);
@@ -70,7 +97,7 @@ async function worstFigure(place) {
   const parts = [["truth", litColour(planes, planes, white)], [run.label, litColour(pixels, planes, white)],
                  ["error", i => layers.error.colour(shown, i)]];
   const figure = document.createElement("figure"), caption = document.createElement("figcaption"), link = document.createElement("a");
-  const row = document.createElement("div"), text = document.createElement("p");
+  const row = document.createElement("div");
   link.href = `#scene-${place.scene + 1}-run-${place.run + 1}`;
   link.textContent = `${run.label} in ${scene.name}: ${place.fault.name.replaceAll("_", " ")}`;
   caption.append(link);
@@ -81,8 +108,12 @@ async function worstFigure(place) {
     box.append(cropCanvas(bitmap(colour), window, size, `${label}, ${link.textContent}`), title);
     row.append(box);
   }
-  text.textContent = worstSentence(scene, run, place.fault);
-  figure.append(caption, row, text);
+  const texts = worstSentences(scene, run, place.fault).map(sentence => {
+    const text = document.createElement("p");
+    text.textContent = sentence;
+    return text;
+  });
+  figure.append(caption, row, ...texts);
   return figure;
 }
 

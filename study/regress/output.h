@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// A check as others read it: people, CI servers, programs. Not here: the page (report/regress_part.h).
+// A check as others read it: people, CI servers, programs. Not here: the page (report/assets/regress.js).
 
 #include "study/regress/run.h"
 

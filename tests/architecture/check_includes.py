@@ -27,6 +27,7 @@ HOMES = {
     "EGL/": ("realtime/",),
     "OpenImageIO/": ("core/image_io.cpp", "cli/"),
     "tiny_obj_loader.h": ("scenes/",),
+    "assimp/": ("scenes/assimp/",),
     "CLI/": ("cli/",),
     "sqlite3.h": ("study/store/",),
     "pybind11/": ("python/",),

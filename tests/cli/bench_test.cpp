@@ -26,7 +26,7 @@ constexpr const char* kRuns =
     "64\n"
     "grid_taps = 15\nstage.grid_taps = [\"define\", \"uniform\"]\n"
     "[[claim]]\ntext = \"225 taps against one\"\nsource = \"here\"\nnumerator = \"wide, define\"\n"
-    "denominator = \"hard\"\nquantity = \"time\"\nwithout = [\"map\"]\npaper = 10\n";
+    "denominator = \"hard\"\nunequal_cost = true\nquantity = \"time\"\nwithout = [\"map\"]\npaper = 10\n";
 
 class BenchCommand : public CliTest {};
 class GlBenchCommand : public CliTest {
@@ -54,6 +54,7 @@ TEST_F(GlBenchCommand, RunsAStudyAndWritesItsNumbers) {
   }
   // 225 taps cost more than one by far more than any noise.
   EXPECT_EQ(scene["claims"][0]["verdict"], "same order") << scene["claims"][0];
+  EXPECT_EQ(scene["claims"][0]["compares_per_pixel"], (Json{900, 1})) << "225 taps of four texels";
   EXPECT_FALSE(scene["best_under"].empty());
   EXPECT_FALSE(scene["cheapest_below_rmse"].empty());
   const std::string csv = read_file(folder() / "runs.csv");
@@ -125,6 +126,11 @@ TEST_F(BenchCommand, SlipsAreFoundBeforeAnythingIsRendered) {
   expect_bad_input(study(run + "[run.values]\ngrid_taps = [3, 99]\n"), "study.toml:10:17:");
   expect_bad_input(study(run + "[run.values]\nstage.spacing_texels = \"define\"\n"), "cannot be switched");
   expect_bad_input(study(run + "preset = \"nothing\"\n"), "has no preset 'nothing'");
+  const std::string claim =
+      run +
+      "[[run]]\ntechnique = \"hard\"\n[[claim]]\ntext = \"t\"\nsource = \"s\"\nnumerator = \"hard\"\n"
+      "denominator = \"pcf_bilinear\"\nquantity = \"fps\"\nat_least = 1\n";
+  expect_bad_input(study(claim), "'hard' 1 and 'pcf_bilinear' 36 comparisons a pixel");
   expect_bad_input(study("quality = \"quik\"\n" + run), "unknown quality 'quik' (did you mean 'quick'?)");
   write("study.toml", std::string(kHead) + "scenes = [\"plat\"]\n" + run);
   expect_bad_input(umbrameter({"bench", "study.toml"}), "plat");
@@ -132,7 +138,7 @@ TEST_F(BenchCommand, SlipsAreFoundBeforeAnythingIsRendered) {
 }
 
 TEST_F(BenchCommand, TheStudiesOfPapersNameTechniquesThatExist) {
-  // Techniques and parameters are resolved before scenes are loaded: only the models are missing here.
+  // Techniques, parameters and the costs of claims are known before scenes are loaded: only the models are missing here.
   const std::filesystem::path papers = source_dir() / "studies" / "papers";
   int studies = 0;
   for (const auto& file : std::filesystem::directory_iterator(papers)) {

@@ -81,8 +81,8 @@ TEST_F(ScorePictures, APairWithAlphaOfFrameBuffersIsScored) {
   for (const std::string name : {"unlit", "lit"}) {
     oiio({name + ".exr", "--mulc", "0.1", "--colorconvert", "linear", "sRGB", "-d", "uint8", "-o",
           name + "8.png"});
-    oiio({name + ".exr", "--mulc", "0.1", "--colorconvert", "linear", "sRGB", "--ch", "R,G,B,A=0",
-          "--attrib", "oiio:UnassociatedAlpha", "1", "-d", "uint8", "-o", name + "_a0.png"});
+    oiio({name + ".exr", "--mulc", "0.1", "--colorconvert", "linear", "sRGB", "--ch", "R,G,B,A=0", "--attrib",
+          "oiio:UnassociatedAlpha", "1", "-d", "uint8", "-o", name + "_a0.png"});
   }
   const std::vector<std::string> how = {"--transfer", "srgb",         "--quantity",
                                         "visibility", "--min-scored", "0.5"};

@@ -1,17 +1,33 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""test_quickstart.py SOURCE_DIR PROGRAM: the ten lines that quickstart.sh ends with, and the wrapper ./umbrameter. Without it the
+"""test_quickstart.py SOURCE_DIR PROGRAM: the progress of quickstart.sh, the ten lines that it ends with, and the wrapper ./umbrameter. Without it the
 first thing that people read could rank techniques wrongly. Exit codes: 0 fine, 1 not, 3 no GL here."""
 import json
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
 
 
+def check_progress(source):
+    """A line with the time left of each phase; a failing build's own words stay."""
+    given = {"packages": "dlstatus:1:50.0:Retrieving\nReading\n", "build": "@@5 10 Building\nFAILED: x.o\n",
+             "measure": "umbrameter: plate (2 of 4), pcf: 50 %, 0:01 left\numbrameter: plate: done, 3 runs\numbrameter: error: no\n"}
+    wanted = {"packages": ["quickstart: [1/4] downloading, 50 %, about T left"],
+              "build": ["quickstart: [3/4] building, file 5 of 10, 50 %, about T left", "FAILED: x.o"],
+              "measure": ["quickstart: [4/4] measuring, scene 2 of 4, 31 %, about T left", "umbrameter: error: no"]}
+    for phase, text in given.items():
+        told = subprocess.run(["awk", "-v", f"phase={phase}", "-f", source / "scripts/quickstart_progress.awk"], input=text,
+                              check=True, capture_output=True, text=True).stdout
+        told = re.sub(r"\d+:\d\d left", "T left", told).splitlines()  # a second may pass
+        assert told == wanted[phase], told
+
+
 def main():
     source, program = pathlib.Path(sys.argv[1]), sys.argv[2]
+    check_progress(source)
     if subprocess.run([program, "doctor"], capture_output=True).returncode == 3:
         print("test_quickstart: no usable GL", file=sys.stderr)
         return 3

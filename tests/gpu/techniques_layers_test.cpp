@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <array>
@@ -50,14 +51,47 @@ ParameterValues small_cube(const std::string& id) {
   return values;
 }
 
+/// How far a point of room()'s walls lies from the nearest edge of its wall, as the lamp sees it, in texels there.
+double texels_to_edge(const glm::dvec3& p, const glm::dvec3& lamp, double texel_world) {
+  constexpr double kHalfSide = 2.0;
+  const glm::dvec3 to_lamp = glm::normalize(lamp - p);
+  const glm::dvec3 size = glm::abs(p);
+  const int own = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  double nearest = 1e30;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (axis == own) continue;
+    const double across = std::sqrt(1.0 - to_lamp[axis] * to_lamp[axis]);
+    nearest = std::min(nearest, (kHalfSide - size[axis]) * across / texel_world);
+  }
+  return nearest;
+}
+
+struct CubeReach {
+  const char* id;
+  double texels;  // from a receiver to the middle of the farthest texel that it is compared with
+};
+
 TEST(cubes, light_every_wall_of_an_empty_room_across_the_edges_of_their_faces) {
   UMBRAMETER_REQUIRE_GL();
-  // Where two walls meet a texel may hold the other wall: specks, no seams along the edges of faces.
-  constexpr double kSpecks = 0.005;
-  for (const char* id : kCubes) {
-    const std::vector<float> v = visibility(room(false), id, small_cube(id));
-    const auto dark = std::ranges::count_if(v, [](float one) { return one < 1.0f; });
-    EXPECT_LE(static_cast<double>(dark), kSpecks * static_cast<double>(v.size())) << id;
+  // Where two walls meet a texel may hold the other wall; nowhere else, and no seam along the edges of faces.
+  const double own_texel = std::sqrt(0.5);
+  const double disk = 2.0 + std::sqrt(2.0);  // its radius and the blend of four
+  const double slack = 1.0 + own_texel;      // of the search's cone of rays
+  for (const CubeReach& cube :
+       {CubeReach{"hard_cube", own_texel}, {"pcf_cube", disk}, {"pcss_cube", slack}}) {
+    const Scene scene = room(false);
+    const Frame frame = render(scene, cube.id, small_cube(cube.id));
+    const auto v = frame.image.plane("visibility"), texel = frame.image.plane("texel_world");
+    const auto x = frame.image.plane("position.x"), y = frame.image.plane("position.y"),
+               z = frame.image.plane("position.z");
+    int far_from_edges = 0;
+    for (size_t i = 0; i < v.size(); ++i) {
+      const double distance = texels_to_edge({x[i], y[i], z[i]}, scene.light().center_world, texel[i]);
+      if (distance <= cube.texels) continue;
+      ++far_from_edges;
+      EXPECT_EQ(v[i], 1.0f) << cube.id << ", " << distance << " texels from an edge";
+    }
+    EXPECT_GT(far_from_edges, 12000) << cube.id << ": of 14400";
   }
 }
 
@@ -198,22 +232,85 @@ TEST(pcss_cascades, are_within_001_of_the_half_plane_under_a_sun) {
   EXPECT_LE(floor_error(frame, truth).rmse, 0.01);
 }
 
+/// A floor of 200 m under a sun, and rows of plates 1 m above it all the way, so that every slice has edges.
+Scene rows_of_plates() {
+  Scene scene;
+  add_floor(scene, {60, 200}, 0.0, {0, -95});
+  for (double z = -3.0; z > -180.0; z *= 1.2) add_floor(scene, {-z, -0.08 * z}, 1.0, {0, z});
+  scene.lights = {sun_light({0.4, 1, 0.1}, 0.005)};
+  scene.camera.eye_world = {0, 20, 3};
+  scene.camera.at_world = {0, 0, -40};
+  scene.camera.vertical_fov_deg = 50.0;
+  finish_scene(scene);
+  return scene;
+}
+
+struct Range {
+  double near = 0.0, far = 0.0;
+};
+
+/// Of a picture's receivers, along the camera's axis.
+std::vector<double> axis_distances(const Scene& scene, const Frame& frame) {
+  const glm::dvec3 eye = scene.camera.eye_world;
+  const glm::dvec3 forward = glm::normalize(scene.camera.at_world - eye);
+  const auto x = frame.image.plane("position.x"), y = frame.image.plane("position.y"),
+             z = frame.image.plane("position.z"), id = frame.image.plane("primitive_id");
+  std::vector<double> distances;
+  for (size_t i = 0; i < x.size(); ++i)
+    distances.push_back(id[i] < 0.0f ? -1.0 : glm::dot(glm::dvec3(x[i], y[i], z[i]) - eye, forward));
+  return distances;
+}
+
+/// Where each of `count` slices in equal ratios of distance has company: from half a step before its end to its end.
+std::vector<Range> overlaps(const Range& all, int count) {
+  std::vector<Range> found;
+  for (int i = 1; i < count; ++i) {
+    const double ratio = all.far / all.near;
+    found.push_back(
+        {all.near * std::pow(ratio, (i - 0.5) / count), all.near * std::pow(ratio, 1.0 * i / count)});
+  }
+  return found;
+}
+
 TEST(cascades, blend_only_where_slices_overlap) {
   UMBRAMETER_REQUIRE_GL();
-  const auto picture = [](const char* blend, double overlap) {
-    return visibility(long_scene(), "hard_cascades",
-                      cascades(4, {{"cascade_blend", std::string(blend)},
-                                   {"cascade_overlap", overlap},
-                                   {"shadow_range", std::string("visible")}}));
+  const Scene scene = rows_of_plates();
+  const auto frame = [&](const char* blend, double overlap) {
+    return render(scene, "hard_cascades",
+                  cascades(4, {{"cascade_blend", std::string(blend)},
+                               {"cascade_overlap", overlap},
+                               {"cascade_size", int64_t{64}},  // so coarse that two maps disagree along edges
+                               {"split_lambda", 1.0},
+                               {"shadow_range", std::string("visible")}}));
+  };
+  const auto picture = [&](const char* blend, double overlap) {
+    const Frame drawn = frame(blend, overlap);
+    const auto plane = drawn.image.plane("visibility");
+    return std::vector<float>(plane.begin(), plane.end());
   };
   EXPECT_EQ(picture("mix", 0.0), picture("none", 0.0));
   EXPECT_EQ(picture("dither", 0.0), picture("none", 0.0));
+  const std::vector<double> distance = axis_distances(scene, frame("none", 0.5));
+  Range all{1e30, 0.0};
+  for (const double d : distance) {
+    if (d > 0.0) all = {std::min(all.near, d), std::max(all.far, d)};
+  }
+  std::array<int, 3> blended{};
   const auto none = picture("none", 0.5), mix = picture("mix", 0.5), dither = picture("dither", 0.5);
   for (size_t i = 0; i < none.size(); ++i) {
-    if (mix[i] == none[i]) continue;
     EXPECT_TRUE(dither[i] == 0.0f || dither[i] == 1.0f) << "a dithered pixel asks one map";
+    if (mix[i] == none[i]) continue;
+    int inside = 0;
+    for (size_t k = 0; const Range& overlap : overlaps(all, 4)) {
+      const bool is_inside = distance[i] > 0.999 * overlap.near && distance[i] < 1.001 * overlap.far;
+      blended[k++] += is_inside ? 1 : 0;
+      inside += is_inside ? 1 : 0;
+    }
+    EXPECT_EQ(inside, 1) << "mixed at " << distance[i];
   }
+  for (const int count : blended) EXPECT_GT(count, 0) << "each pair of slices has edges to blend";
   EXPECT_LT(mean_difference(mix, none), 0.05);
+  EXPECT_GT(mean_difference(dither, none), 0.0);
 }
 
 TEST(dump, shows_what_a_layer_of_a_resource_holds) {

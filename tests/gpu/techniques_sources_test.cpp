@@ -154,6 +154,7 @@ TEST(pcss, jittered_sets_and_bilinear_taps_are_within_002_of_the_half_plane) {
     const Light light = light_at_4(type, 1.0);
     const ParameterValues jittered = many_taps({{"kernel", std::string("jittered")}});
     EXPECT_LE(half_plane_rmse(light, "pcss", jittered), 0.02) << to_text(type);
+    EXPECT_LE(half_plane_rmse(light, "pcss", with(jittered, {{"early_out", true}})), 0.02) << to_text(type);
     EXPECT_LE(half_plane_rmse(light, "pcss", many_taps({{"bilinear_taps", true}})), 0.01) << to_text(type);
   }
 }

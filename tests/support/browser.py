@@ -3,7 +3,7 @@
 """browser.py PAGE STEPS.json PROFILE_FOLDER: opens PAGE in headless Chromium and takes the steps, real key presses included.
 
 A step is {"eval": JS}, {"key": "ArrowRight"}, {"tabs": COUNT}, {"click" | "hover": SELECTOR}, {"drag" | "swipe": SELECTOR, "by": [dx, dy]},
-{"wheel": SELECTOR, "by": dy}, {"size": [w, h]}, {"touch": true}, {"media": "print"}, {"dark": true}, {"downloads": FOLDER}, {"await": FILE},
+{"wheel": SELECTOR, "by": dy}, {"pinch": SELECTOR, "by": factor}, {"size": [w, h]}, {"touch": true}, {"media": "print"}, {"dark": true}, {"downloads": FOLDER}, {"await": FILE},
 {"pdf": FILE} or {"screenshot": FILE}. `eval` may be a promise; `tabs` marks with data-reached what gets the focus; a swipe is a finger's
 drag; pointers start in the middle of what SELECTOR finds. A step with "before" is taken before the page is opened. Prints {"console": [...], "values": [of each eval], "load_ms": ...}. Talks to Chromium through a
 pipe, so no port and no library is needed.
@@ -56,6 +56,13 @@ class Browser(Chromium):
             self.call("Input.dispatchTouchEvent", type=kind, touchPoints=[point])
         self.call("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
 
+    def pinch(self, selector, factor):
+        x, y = self.middle(selector)
+        for kind, apart in (("touchStart", 20), ("touchMove", 10 * (1 + factor)), ("touchMove", 20 * factor)):
+            points = [{"x": x + side * apart, "y": y, "id": k} for k, side in enumerate((-1, 1))]
+            self.call("Input.dispatchTouchEvent", type=kind, touchPoints=points)
+        self.call("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
+
     def save_downloads(self, folder):
         session, self.session = self.session, None  # the whole browser's setting
         self.call("Browser.setDownloadBehavior", behavior="allow", downloadPath=folder)
@@ -78,6 +85,8 @@ def take(browser, step, values):
         browser.drag(step["drag"], step["by"])
     if "swipe" in step:
         browser.swipe(step["swipe"], step["by"])
+    if "pinch" in step:
+        browser.pinch(step["pinch"], step["by"])
     if "wheel" in step:
         browser.mouse("mouseWheel", browser.middle(step["wheel"]), deltaX=0, deltaY=step["by"])
     if "touch" in step:

@@ -39,12 +39,16 @@ float search_texel_lateral() { return texel_lateral(view_light); }
 /// Blockers between `z_search` and the receiver. Their mean distance, or the receiver's own for none.
 float mean_blocker_distance(AreaLight light, Receiver receiver, vec2 noise, float z_search) {
   if (is_behind(view_light, receiver) || z_search >= receiver.p_light.z) return receiver.p_light.z;
-  bool is_harmonic = AVERAGE == AVERAGE_HARMONIC && !is_orthographic(view_light);
+  bool is_harmonic = false;
+#ifdef AVERAGE
+  is_harmonic = AVERAGE == AVERAGE_HARMONIC && !is_orthographic(view_light);
+#endif
   float slack = search_texel_lateral();
   float sum = 0.0;
   float count = 0.0;
+  float met = 0.0;  // blockers inside the cone of rays or not: the ring of a wide search lies outside
   for (int i = 0; i < tap_count(SEARCH_TAPS); ++i) {
-    if (i == early_tap_count(SEARCH_TAPS) && (count == 0.0 || count == float(i))) break;
+    if (i == early_tap_count(SEARCH_TAPS) && (met == 0.0 || count == float(i))) break;
     vec2 kernel = focused(light, kernel_tap(light, i, SEARCH_TAPS, noise), search_focus);
     vec3 ray = ray_to_light(light, receiver, kernel);
     if (ray.z >= 0.0 || !faces(receiver, ray)) continue;
@@ -52,6 +56,7 @@ float mean_blocker_distance(AreaLight light, Receiver receiver, vec2 noise, floa
     vec2 lateral_blocker;
     float z_blocker;
     if (!find_search_blocker(receiver, lateral, lateral_blocker, z_blocker)) continue;
+    met += 1.0;
     if (SEARCH_CONE != 0 && !is_in_light_cone(light, view_light, receiver, lateral_blocker, z_blocker, slack)) continue;
     sum += is_harmonic ? 1.0 / z_blocker : z_blocker;
     count += 1.0;

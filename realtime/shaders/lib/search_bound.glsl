@@ -4,6 +4,20 @@
 #include "penumbra.glsl"
 #include "shadow_map.glsl"
 
+/// The texels that rays from the receiver to the light can meet at distance `z`; false when some do not get there.
+bool find_search_box(AreaLight light, Receiver receiver, float z, out vec2 low_texels, out vec2 high_texels) {
+  low_texels = vec2(view_light.depth_range.w);
+  high_texels = vec2(0.0);
+  for (int i = 0; i < 4; ++i) {  // const: the corners of the square around the kernel
+    vec3 ray = ray_to_light(light, receiver, 2.0 * vec2(i & 1, i >> 1) - 1.0);
+    if (ray.z >= 0.0) return false;
+    vec2 p_texels = texel_position(view_light, lateral_on_ray(view_light, receiver, ray, z));
+    low_texels = min(low_texels, p_texels - 1.0);  // a blocker's centre lies up to a texel beside its ray
+    high_texels = max(high_texels, p_texels + 1.0);
+  }
+  return true;
+}
+
 #ifdef nearest_8_size
 
 /// Nearest (greatest reversed) depth in the cells of `map` that touch a box of texels.
@@ -26,20 +40,6 @@ float nearest_in_box(vec2 low_texels, vec2 high_texels) {
   if (cells_of_8 <= 4.0) return nearest_in_cells(nearest_32, 32.0, low_texels, high_texels);  // const: the same
   if (cells_of_8 <= 16.0) return nearest_in_cells(nearest_128, 128.0, low_texels, high_texels);  // const: the same
   return nearest_in_cells(nearest_512, 512.0, low_texels, high_texels);  // const: the same
-}
-
-/// The texels that rays from the receiver to the light can meet at distance `z`; false when some do not get there.
-bool find_search_box(AreaLight light, Receiver receiver, float z, out vec2 low_texels, out vec2 high_texels) {
-  low_texels = vec2(view_light.depth_range.w);
-  high_texels = vec2(0.0);
-  for (int i = 0; i < 4; ++i) {  // const: the corners of the square around the kernel
-    vec3 ray = ray_to_light(light, receiver, 2.0 * vec2(i & 1, i >> 1) - 1.0);
-    if (ray.z >= 0.0) return false;
-    vec2 p_texels = texel_position(view_light, lateral_on_ray(view_light, receiver, ray, z));
-    low_texels = min(low_texels, p_texels - 1.0);  // a blocker's centre lies up to a texel beside its ray
-    high_texels = max(high_texels, p_texels + 1.0);
-  }
-  return true;
 }
 
 /// No blocker is nearer to the light than this. Every blocker lies inside the box at a distance that none is nearer than,

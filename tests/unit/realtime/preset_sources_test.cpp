@@ -8,6 +8,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace umbrameter {
 namespace {
@@ -38,6 +41,9 @@ constexpr const char* kBabylon =
     "Babylon.js/packages/dev/core/src/Shaders/ShadersInclude/shadowsFragmentFunctions.fx";
 constexpr const char* kBabylonGenerator =
     "Babylon.js/packages/dev/core/src/Lights/Shadows/shadowGenerator.ts";
+constexpr const char* kBevy = "bevy/crates/bevy_pbr/src/render/shadow_sampling.wgsl";
+constexpr const char* kBevyLight = "bevy/crates/bevy_pbr/src/light/directional_light.rs";
+constexpr const char* kThreeExample = "three.js/examples/webgl_shadowmap_pcss.html";
 constexpr const char* kFilament = "filament/shaders/src/surface_shadowing.fs";
 constexpr const char* kFilamentOptions = "filament/filament/include/filament/LightManager.h, ShadowOptions";
 
@@ -77,6 +83,26 @@ const SourceConstant kConstants[] = {
     {"pcss", "babylon-medium", "curve_falloff", 1, 1, kBabylon},
     {"pcss", "babylon-medium", "search_taps", 16, 1, kBabylon},
     {"pcss", "babylon-medium", "filter_taps", 32, 1, kBabylon},
+    {"pcss", "babylon-low", "search_taps", 16, 1, kBabylon},
+    {"pcss", "babylon-low", "filter_taps", 16, 1, kBabylon},
+    {"pcss", "babylon-low", "curve_radius", 0.1, 1, kBabylonGenerator},
+    {"pcss", "babylon-low", "curve_offset", 10, 1.0 / 1024, kBabylon},
+    {"pcss", "babylon-high", "search_taps", 32, 1, kBabylon},
+    {"pcss", "babylon-high", "filter_taps", 64, 1, kBabylon},
+    {"pcss", "babylon-high", "curve_radius", 0.1, 1, kBabylonGenerator},
+    {"pcss", "babylon-high", "curve_offset", 10, 1.0 / 1024, kBabylon},
+    {"pcss", "godot-omni", "search_taps", 24, 1, kGodotQuality},
+    {"pcss", "godot-omni", "filter_taps", 24, 1, kGodotQuality},
+    {"pcss", "godot-omni", "curve_radius", 1, 1, kGodotLights},
+    {"pcss", "godot-omni", "curve_search", 1, 1, kGodotLights},
+    {"pcss", "godot-omni", "light_size_scale", 1, 1, kGodotLights},
+    {"pcss", "bevy-taps", "search_taps", 8, 1, kBevy},
+    {"pcss", "bevy-taps", "filter_taps", 8, 1, kBevy},
+    {"pcss", "threejs-example-taps", "search_taps", 17, 1, kThreeExample},
+    {"pcss", "threejs-example-taps", "filter_taps", 17, 2, kThreeExample},  // each tap again, turned
+    {"pcss", "threejs-example-taps", "search_focus", 0.75, 1, kThreeExample},
+    {"pcf_tent", "bevy-gaussian", "bias_world", 0.02, 1, kBevyLight},
+    {"pcf_tent", "bevy-gaussian", "normal_offset_texels", 1.8, 1, kBevyLight},
     {"pcss", "filament-lamp", "search_taps", 16, 1, kFilament},
     {"pcss", "filament-lamp", "filter_taps", 16, 1, kFilament},
     {"pcss", "filament-lamp", "curve_radius", 1, 1, kFilament},
@@ -121,6 +147,13 @@ const SourceChoice kChoices[] = {
     {"pcss", "godot-sun", "penumbra_curve", "ratio"},
     {"pcss", "godot-sun", "curve_base", "light"},
     {"pcss", "babylon-medium", "penumbra_curve", "difference"},
+    {"pcss", "babylon-low", "penumbra_curve", "difference"},
+    {"pcss", "babylon-high", "penumbra_curve", "difference"},
+    {"pcss", "godot-omni", "penumbra_curve", "ratio"},
+    {"pcss", "godot-omni", "curve_base", "light"},
+    {"pcf_tent", "bevy-gaussian", "size", "5x5"},
+    {"pcf_tent", "bevy-gaussian", "weights", "witness"},
+    {"pcf_tent", "bevy-gaussian", "normal_offset_form", "constant"},
     {"pcss", "filament-lamp", "penumbra_curve", "ratio"},
     {"pcss", "filament-lamp", "average", "harmonic"},
     {"esm", "paper-a", "depth_form", "stored"},
@@ -136,12 +169,42 @@ const SourceChoice kChoices[] = {
     {"edge_mask_quantised", "paper-c-235", "calibration", "drop"},
 };
 
+/// How often a pixel compares the map, as the sources count it.
+struct SourceCount {
+  const char* technique;
+  const char* preset;
+  double compares_per_pixel;
+  const char* where;
+};
+
+const SourceCount kCounts[] = {
+    {"pcss", "paper-a", 9 + 25, "Araujo: 3 x 3 and 5 x 5"},
+    {"pcss_vsm", "paper-a-7", 49 + 49, "Araujo: 7 x 7 and 7 x 7"},
+    {"edge_mask", "paper-c-4-grid", 16, "Evans, Agenjo and Blat: 4 x 4"},
+    {"edge_mask", "paper-c-4", 16, "Evans, Agenjo and Blat: 4 x 4"},
+    {"edge_mask", "paper-c-7-grid", 49, "Evans, Agenjo and Blat: 7 x 7"},
+    {"edge_mask_quantised", "paper-c-235", 25, "Evans, Agenjo and Blat: 5 x 5 in the widest band"},
+    {"pcss", "paper-d", 32 + 4 * 16, "Sterna: 32 and 16 bilinear"},
+    {"penumbra_mask", "paper-d", 32.0 / 16 + 4 * 16,
+     "Sterna: 32 in a sixteenth of the pixels and 16 bilinear"},
+    {"pcf_adaptive", "paper-e", 64, "Rzeczkowski: 8 x 8"},
+    {"pcss", "paper-e", 64 + 64, "Rzeczkowski: 8 x 8 twice"},
+};
+
+const std::vector<Technique>& techniques() {
+  static const auto all = list_techniques(source_dir() / "realtime" / "techniques");
+  return all;
+}
+
+const Technique& technique_of(const std::string& id) {
+  const auto found = std::ranges::find(techniques(), id, &Technique::id);
+  if (found == techniques().end()) throw std::runtime_error("no technique " + id);
+  return *found;
+}
+
 ParameterValue value_of(const std::string& technique, const std::string& preset,
                         const std::string& parameter) {
-  static const auto all = list_techniques(source_dir() / "realtime" / "techniques");
-  const auto found = std::ranges::find(all, technique, &Technique::id);
-  if (found == all.end()) throw std::runtime_error("no technique " + technique);
-  return resolve_parameters(*found, {{"preset", preset}}).at(parameter);
+  return resolve_parameters(technique_of(technique), {{"preset", preset}}).at(parameter);
 }
 
 double number(const ParameterValue& value) {
@@ -156,6 +219,36 @@ TEST(PresetSources, ConstantsTimesTheirConversionAreThePresets) {
     EXPECT_NEAR(ours, expected, 1e-3 * std::abs(expected))
         << c.technique << ":" << c.preset << " " << c.parameter << ", " << c.where;
   }
+}
+
+TEST(PresetSources, CompareAsOftenAsTheSources) {
+  for (const SourceCount& c : kCounts) {
+    const Technique& technique = technique_of(c.technique);
+    const ParameterValues values = resolve_parameters(technique, {{"preset", std::string(c.preset)}});
+    EXPECT_EQ(compares_per_pixel(technique, values), c.compares_per_pixel)
+        << c.technique << ":" << c.preset << ", " << c.where;
+  }
+}
+
+TEST(PresetSources, EveryTechniqueTellsHowOftenItCompares) {
+  for (const Technique& technique : techniques()) {
+    const auto of = [&](const ParameterValues& values) {
+      return compares_per_pixel(technique, resolve_parameters(technique, values)).value_or(0.0);
+    };
+    EXPECT_GE(of({}), 1.0) << technique.id;
+    for (const Preset& preset : technique.presets)
+      EXPECT_GT(of({{"preset", preset.name}}), 0.0) << technique.id << ":" << preset.name;
+  }
+}
+
+TEST(PresetSources, ABoxThatCoversTexelsInPartComparesThemAll) {
+  const Technique& technique = technique_of("edge_mask");
+  const auto of = [&](const char* shape) {
+    return compares_per_pixel(technique, resolve_parameters(technique, {{"filter_shape", std::string(shape)},
+                                                                        {"filter_width_texels", 4.0}}));
+  };
+  EXPECT_EQ(of("box"), 25.0);
+  EXPECT_EQ(of("grid"), 16.0);
 }
 
 TEST(PresetSources, ChoicesAreTheSources) {

@@ -196,9 +196,10 @@ TEST(SceneErrors, MissingMeshFileSaysWhereItWasSought) {
 }
 
 TEST(SceneErrors, UnknownMeshFormat) {
-  EXPECT_EQ(error_of_mesh("file = \"bunny.ply\""),
-            "x.toml:5:8: [[mesh]]: mesh file 'bunny.ply' has an unknown format ('.obj', '.obj.zst', '.gltf' "
-            "and '.glb' are read)");
+  EXPECT_EQ(
+      error_of_mesh("file = \"bunny.step\""),
+      "x.toml:5:8: [[mesh]]: mesh file 'bunny.step' has an unknown format ('.obj', '.obj.zst', '.gltf', "
+      "'.glb', '.fbx', '.dae', '.ply' and '.stl' are read)");
 }
 
 TEST(SceneErrors, MissingSceneFile) {

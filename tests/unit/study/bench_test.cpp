@@ -17,6 +17,7 @@
 namespace umbrameter {
 namespace {
 
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -143,6 +144,62 @@ TEST_F(Claims, NoVerdictOnTimesOfOnePictureUnlessThatIsTheClaim) {
   claim.pictures = ClaimPictures::either;
   EXPECT_EQ(judge_claims(std::array{claim}, "plate", entries_).at(0).verdict, Verdict::agrees);
   EXPECT_EQ(judge(Quantity::time, {1.5, 1.5}).verdict, Verdict::agrees);
+}
+
+TEST_F(Claims, ShowHowOftenBothSidesCompare) {
+  EXPECT_EQ(format_compares(judge(Quantity::time, {1.5, 1.5})), "? : ?");
+  entries_[0].compares_per_pixel = 16;
+  entries_[1].compares_per_pixel = 49;
+  EXPECT_EQ(format_compares(judge(Quantity::time, {1.5, 1.5})), "49 : 16");
+}
+
+class ClaimCosts : public testing::Test {
+ protected:
+  /// What is said against a claim that a run of so many comparisons is faster than another; empty for nothing.
+  std::string objection(std::optional<double> fast, std::optional<double> slow, bool says_unequal = false,
+                        Quantity quantity = Quantity::time) const {
+    Claim claim;
+    claim.text = "the mask pays";
+    claim.numerator = "fast";
+    claim.denominator = "slow";
+    claim.quantity = quantity;
+    claim.has_unequal_cost = says_unequal;
+    claim.where = {"study.toml", 7, 1};
+    const std::array<RunCost, 2> runs{RunCost{"fast", fast}, RunCost{"slow", slow}};
+    try {
+      require_fair_costs(std::array{claim}, runs);
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::input);
+      return error.what();
+    }
+    return "";
+  }
+};
+
+TEST_F(ClaimCosts, AreEqualToATenth) {
+  EXPECT_EQ(objection(16, 16), "");
+  EXPECT_EQ(objection(121, 128), "");
+  EXPECT_EQ(objection(110, 100), "");
+  EXPECT_THAT(objection(111, 100), HasSubstr("compares unequal costs"));
+  EXPECT_THAT(objection(25, 16), AllOf(HasSubstr("study.toml:7"), HasSubstr("'the mask pays'"),
+                                       HasSubstr("'fast' 25 and 'slow' 16 comparisons a pixel"),
+                                       HasSubstr("unequal_cost = true")));
+}
+
+TEST_F(ClaimCosts, ThatAreNotKnownAreNotEqual) {
+  EXPECT_THAT(objection({}, 16), HasSubstr("'fast' an unknown number and 'slow' 16 comparisons"));
+  EXPECT_THAT(objection({}, {}), HasSubstr("'slow' an unknown number"));
+  EXPECT_EQ(objection({}, 16, true), "");
+}
+
+TEST_F(ClaimCosts, SaidToBeUnequalMustBe) {
+  EXPECT_EQ(objection(16, 49, true), "");
+  EXPECT_THAT(objection(16, 17, true),
+              HasSubstr("says unequal_cost, of 'fast' 16 and 'slow' 17 comparisons a pixel"));
+}
+
+TEST_F(ClaimCosts, AreNothingToMemory) {
+  EXPECT_EQ(objection(1, 100, false, Quantity::memory), "");
 }
 
 TEST_F(Claims, FewFramesFailuresAndUnknownPassesAreSaid) {

@@ -110,6 +110,28 @@ TEST_F(ReportOverview, ALinkBringsTheViewBack) {
             Json::parse(R"([[12, 9, "slider", 0.05, "visibility", 4], ["slider", 0.05, 4, true]])"));
 }
 
+TEST_F(ReportOverview, TextsAreNoMarkup) {
+  const std::string attack = "<b>bold</b><img src=x onerror='window.attacked = true'>";
+  Json results = Json::parse(read_file(place("results.json")));
+  Json& scene = results["scenes"][0];
+  for (const char* key : {"title", "doc", "hash"}) scene[key] = attack;
+  scene["warnings"] = {attack};
+  for (Json& run : scene["techniques"]) {
+    run["label"] = attack + run["label"].get<std::string>();
+    run["title"] = run["hash"] = attack;
+    run["warnings"] = {attack};
+  }
+  write_file_atomically(place("results.json"), results.dump());
+  const Json seen =
+      visit({evaluate(overview_ready()), evaluate(ready(1)),
+             evaluate("document.querySelectorAll('details').forEach(folded => { folded.open = true; }); new "
+                      "Promise(done => setTimeout(done, 200))"),
+             evaluate("[document.querySelectorAll('main b, main img').length, window.attacked ?? false, "
+                      "document.querySelector('#scene-1 h2').textContent]")});
+  EXPECT_EQ(seen["console"], Json::array());
+  EXPECT_EQ(seen["values"].back(), Json({0, false, "plate: " + attack}));
+}
+
 TEST_F(ReportOverview, ShowsNumbersOnANarrowScreen) {
   const Json seen = visit(
       {{{"size", {390, 844}}, {"before", true}},

@@ -7,10 +7,10 @@
 
 #include "core/error.h"
 #include "core/files.h"
-#include "report/bench_part.h"
-#include "report/regress_part.h"
+#include "report/before.h"
 #include "report/report.h"
-#include "report/stress_part.h"
+#include "report/required_fields.h"
+#include "report/side_data.h"
 #include "study/bench_json.h"
 #include "study/regress/output.h"
 #include "study/results_json.h"
@@ -102,62 +102,34 @@ std::string regress_text_of(CaseOutcome outcome) {
 
 TEST(ReportParts, AreEmptyWithoutTheirFilesAndRefuseMalformedOnes) {
   const TemporaryFolder folder;
-  EXPECT_EQ(bench_part(folder.path()).html, "");
-  EXPECT_EQ(stress_part(folder.path()), "");
-  EXPECT_EQ(regress_part(folder.path(), {}).html, "");
-  for (const char* name : {"bench-x.json", "stress.json", "regress.json"})
-    write_file_atomically(folder.path() / name, R"({"scenes": 3, "axes": [{}], "cases": [1]})");
-  EXPECT_THAT([&] { bench_part(folder.path()); },
-              ThrowsMessage<Error>(HasSubstr("bench-x.json: not what 'bench' writes")));
-  EXPECT_THAT([&] { stress_part(folder.path()); },
-              ThrowsMessage<Error>(HasSubstr("stress.json: not what 'stress' writes")));
-  EXPECT_THAT([&] { regress_part(folder.path(), {}); },
-              ThrowsMessage<Error>(HasSubstr("regress.json: not what")));
-}
-
-TEST(ReportParts, OfBenchSayWhatItMeasured) {
-  const TemporaryFolder folder;
-  write_file_atomically(folder.path() / "bench.json", bench_text());
-  const SidePart part = bench_part(folder.path());
-  EXPECT_THAT(part.html, HasSubstr("Grid &amp; &lt;b&gt;more"));
-  EXPECT_THAT(part.html, HasSubstr("software rasteriser: ratios are not a GPU&#39;s"));
-  EXPECT_THAT(part.html, HasSubstr("data-value=\"0.0987\">0.09870 [0.08883, 0.10857]"));
-  EXPECT_THAT(part.html, HasSubstr("behind fast"));
-  EXPECT_THAT(part.html, HasSubstr("by the least product of time and RMSE: slow."));
-  EXPECT_THAT(part.html, HasSubstr("samples 16"));
-  ASSERT_EQ(part.plots.size(), 1u);
-  EXPECT_EQ(part.plots[0]["runs"].size(), 3u);
-}
-
-TEST(ReportParts, OfStressSayRangeFirstBreakAndHow) {
-  const TemporaryFolder folder;
-  write_file_atomically(folder.path() / "stress.json", stress_text());
-  const std::string html = stress_part(folder.path());
-  EXPECT_THAT(
-      html,
-      HasSubstr("pcss, world_offset: holds from 0 to 10000 world units (2 of 3 values); leak at 1e+07"));
-  EXPECT_THAT(html, HasSubstr(">2/3</td>"));
-  EXPECT_THAT(html, HasSubstr("<td class=\"worse\" title=\"geometric_leak\">0.34500 leak</td>"));
+  const Json nothing = side_data(folder.path());
+  EXPECT_EQ(nothing, Json::parse(R"({"benches": [], "stresses": [], "regressions": []})"));
+  for (const auto& [name, message] : {std::pair("bench-x.json", "bench-x.json: not what 'bench' writes"),
+                                      std::pair("stress.json", "stress.json: not what 'stress' writes"),
+                                      std::pair("regress.json", "regress.json: not what 'regress' writes")}) {
+    const auto file = folder.path() / name;
+    write_file_atomically(file, R"({"scenes": 3, "axes": [{}], "cases": [1]})");
+    EXPECT_THAT([&] { side_data(folder.path()); }, ThrowsMessage<Error>(HasSubstr(message)));
+    std::filesystem::remove(file);
+  }
   Json unknown = Json::parse(stress_text());
   unknown["cells"][5]["outcome"] = "melted";
   write_file_atomically(folder.path() / "stress.json", unknown.dump());
-  EXPECT_THAT([&] { stress_part(folder.path()); }, ThrowsMessage<Error>(HasSubstr("'melted'")));
+  EXPECT_THAT([&] { side_data(folder.path()); }, ThrowsMessage<Error>(HasSubstr("'melted'")));
 }
 
-TEST(ReportParts, OfRegressShowBeforeNowAndTheGate) {
-  const TemporaryFolder folder;
-  write_file_atomically(folder.path() / "regress.json", regress_text_of(CaseOutcome::fail));
-  const RegressPart part = regress_part(folder.path(), fake_results(folder.path()));
-  EXPECT_THAT(part.verdict, HasSubstr("class=\"problem\""));
-  EXPECT_THAT(part.verdict, HasSubstr("small: 1 cases, 0 pass, 0 better, 0 undecided, 1 fail"));
-  EXPECT_THAT(part.html, HasSubstr("<a href=\"#scene-1-run-2\">off</a>"));
-  EXPECT_THAT(part.html, HasSubstr("class=\"outcome fail\">fail: acne</td>"));
-  EXPECT_THAT(part.html, HasSubstr("data-column=\"rmse_before\" data-value=\"0.02\">0.02000"));
-  EXPECT_THAT(part.html, HasSubstr("data-column=\"rmse_now\" data-value=\"0.1\">0.10000"));
-  EXPECT_THAT(part.html, HasSubstr("speckle &amp; &lt;more&gt;"));
-  EXPECT_THAT(part.html, HasSubstr("data-column=\"allowed\" data-value=\"0.004\">"));
-  write_file_atomically(folder.path() / "regress.json", regress_text_of(CaseOutcome::pass));
-  EXPECT_THAT(regress_part(folder.path(), {}).verdict, Not(HasSubstr("problem")));
+TEST(ReportParts, RefuseAFieldThatIsMissingOrOfAnotherType) {
+  const auto check = [](const char* text, std::string_view field) {
+    require_fields(nlohmann::ordered_json::parse(text), std::array{field});
+  };
+  const std::string_view field = "runs[].rmse?.value:number";
+  EXPECT_NO_THROW(check(R"({"runs": []})", field));
+  EXPECT_NO_THROW(check(R"({"runs": [{"rmse": null}, {"rmse": {"value": 1}}]})", field));
+  EXPECT_THROW(check(R"({"runs": [{"rmse": {"value": "1"}}]})", field), Json::exception);
+  EXPECT_THROW(check(R"({"runs": [{}]})", field), Json::exception);
+  EXPECT_THROW(check(R"({"runs": {}})", field), Json::exception);
+  EXPECT_THROW(check(R"({})", field), Json::exception);
+  EXPECT_THROW(check(R"({"names": ["a", 1]})", "names[]:text"), Json::exception);
 }
 
 TEST(ReportParts, MakeAPageWithoutResults) {
@@ -166,8 +138,8 @@ TEST(ReportParts, MakeAPageWithoutResults) {
   EXPECT_THROW(write_report(folder.path(), page), Error);
   write_file_atomically(folder.path() / "bench.json", bench_text());
   write_report(folder.path(), page);
-  EXPECT_THAT(read_file(page), HasSubstr("<section id=\"summary\" hidden>"));
-  EXPECT_THAT(read_file(page), HasSubstr("id=\"bench-1\""));
+  EXPECT_THAT(read_file(page), HasSubstr("\"texts\":null"));
+  EXPECT_THAT(read_file(page), HasSubstr("Grid & \\u003cb>more"));
 }
 
 class ReportPartsVisit : public ReportVisit {
@@ -197,8 +169,71 @@ TEST_F(ReportPartsVisit, PlotTimesWithTheFrontTheRecommendedRunAndTheTruth) {
   EXPECT_EQ(seen["values"][1], Json({{"x", {0.9 * 1.0, 1.1 * 1.0}}, {"y", {0.9 * 0.08, 1.1 * 0.08}}}));
   EXPECT_EQ(seen["values"][2], Json({"samples: RMSE as their number to the power -0.50"}));
   EXPECT_EQ(seen["values"][3], Json({0.04, 0.02}));
-  EXPECT_EQ(seen["values"][4], Json({"Overview", "Summary", "Regression", "plate", "Time against error",
+  EXPECT_EQ(seen["values"][4], Json({"Regression", "Overview", "Summary", "plate", "Time against error",
                                      "Stability map", "Scales", "Skipped"}));
+}
+
+/// The text of everything that `selector` finds.
+Json texts(const std::string& selector) {
+  return evaluate("[...document.querySelectorAll(`" + selector + "`)].map(found => found.textContent)");
+}
+
+TEST_F(ReportPartsVisit, OfBenchSayWhatItMeasured) {
+  const Json seen = visit({texts("#bench h3"), texts("#bench .note"), texts("#bench [data-column=rmse]"),
+                           texts("#bench figure > p"), texts("#bench tbody th"),
+                           evaluate("document.querySelectorAll('#bench b').length")});
+  EXPECT_EQ(seen["values"][0], Json({"Grid & <b>more"}));
+  EXPECT_EQ(seen["values"][1], Json({"software rasteriser: ratios are not a GPU's"}));
+  EXPECT_EQ(seen["values"][2][2], "0.09870 [0.08883, 0.10857]");
+  EXPECT_THAT(seen["values"][3].dump(), HasSubstr("by the least product of time and RMSE: slow."));
+  EXPECT_EQ(seen["values"][4], Json({"fast", "slow", "late", "samples 16", "samples 64"}));
+  EXPECT_EQ(seen["values"][5], 0);  // texts are no markup
+}
+
+TEST_F(ReportPartsVisit, OfStressSayTheErrorOfEveryValue) {
+  const Json seen = visit({texts("#stress [role=gridcell]"), texts("#stress details td"),
+                           evaluate("document.querySelector('#stress td.worse').title")});
+  EXPECT_EQ(seen["values"][0], Json({"all", "2/3"}));
+  EXPECT_EQ(seen["values"][1][5], "0.34500 leak");
+  EXPECT_EQ(seen["values"][2], "geometric_leak");
+}
+
+TEST_F(ReportPartsVisit, OfRegressShowBeforeNowAndTheGate) {
+  const char* number =
+      "[...document.querySelectorAll('#regress [data-value]')].map(cell => [cell.dataset.column, "
+      "cell.dataset.value, cell.textContent])";
+  const Json seen = visit({texts("#regress-verdict .problem"), texts("#regress .outcome"), evaluate(number),
+                           texts("#regress tbody td:nth-child(7)"),
+                           evaluate("document.querySelector('#regress tbody a').getAttribute('href')")});
+  EXPECT_EQ(seen["console"], Json::array());
+  EXPECT_THAT(seen["values"][0].dump(), HasSubstr("small: 1 cases, 0 pass, 0 better, 0 undecided, 1 fail"));
+  EXPECT_EQ(seen["values"][1], Json({"fail: acne"}));
+  EXPECT_EQ(seen["values"][2][0], Json({"rmse_before", "0.02", "0.02000 [0.01732, 0.02236]"}));
+  EXPECT_EQ(seen["values"][2][1][1], "0.1");
+  EXPECT_EQ(seen["values"][2][5], Json({"allowed", "0.004", "0.004"}));
+  EXPECT_EQ(seen["values"][3], Json({"speckle & <more>"}));
+  EXPECT_EQ(seen["values"][4], "#scene-1-run-2");
+}
+
+TEST_F(ReportPartsVisit, SlideBetweenBeforeAndNow) {
+  const TemporaryFolder before;
+  const Results old = fake_results(before.path());
+  write_file_atomically(before.path() / "results.json", to_json_text(old));
+  write_report(place(""), place("with-before.html"), kPageBudget_bytes, {}, before.path());
+  EXPECT_THAT(read_file(place("with-before.html")), HasSubstr("off (before)"));
+  Results now = old;
+  add_before(now, place(""), old, before.path());
+  const size_t runs = old.scenes[0].techniques.size();
+  ASSERT_EQ(now.scenes[0].techniques.size(), 2 * runs);
+  EXPECT_EQ(now.scenes[0].techniques[runs].label, old.scenes[0].techniques[0].label + kBeforeMark);
+  EXPECT_TRUE(std::filesystem::exists(place("") / now.scenes[0].techniques[runs].image_file));
+  now = old;
+  now.scenes[0].hash = "another";
+  add_before(now, place(""), old, before.path());
+  EXPECT_EQ(now.scenes[0].techniques.size(), runs);
+  EXPECT_THAT(now.scenes[0].warnings.back(), HasSubstr("the scene has changed"));
+  now.scenes[0].name = "other";
+  EXPECT_THROW(add_before(now, place(""), old, before.path()), Error);
 }
 
 TEST_F(ReportPartsVisit, WalkTheMapByKeysAndSayWhatACellHolds) {

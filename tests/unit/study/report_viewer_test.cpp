@@ -151,7 +151,7 @@ TEST_F(ReportViewer, ReachesEveryControlByTab) {
       "[tabindex=\"0\"]')].filter(control => "
       "control.checkVisibility() && !control.disabled && !('reached' in control.dataset)).map(control => "
       "control.outerHTML.slice(0, 90))";
-  const Json seen = visit({evaluate(ready(1)), {{"tabs", 90}}, evaluate(missed)});
+  const Json seen = visit({evaluate(ready(1)), {{"tabs", 130}}, evaluate(missed)});
   EXPECT_EQ(seen["values"], Json({Json::array()}));
 }
 

@@ -256,6 +256,8 @@ const std::vector<BadStudy> kBadStudies{
     {"NoPass", bad_claim(kSides + "quantity = \"pass_time\"\npaper = 2\n"), "pass"},
     {"PassOfAFrame", bad_claim(kSides + "quantity = \"time\"\npass = \"map\"\npaper = 2\n"),
      "'pass' belongs to"},
+    {"CostOfMemory", bad_claim(kSides + "quantity = \"memory\"\nunequal_cost = true\npaper = 2\n"),
+     "'unequal_cost' is about times"},
     {"MemoryWithoutAPass", bad_claim(kSides + "quantity = \"memory\"\nwithout = [\"map\"]\npaper = 2\n"),
      "'without' belongs to"},
 };

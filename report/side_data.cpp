@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/side_data.h"
+
+#include "core/error.h"
+#include "report/required_fields.h"
+#include "report/side_files.h"
+#include "study/stress/summary.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace umbrameter {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using std::string_view;
+
+constexpr std::array kBenchFields = std::to_array<string_view>({"title:text",
+                                                                "doc:text",
+                                                                "study:text",
+                                                                "version:text",
+                                                                "commit:text",
+                                                                "width_px:number",
+                                                                "height_px:number",
+                                                                "samples_per_pixel:number",
+                                                                "wanted_frames:number",
+                                                                "note:text",
+                                                                "recommended?.label:text",
+                                                                "recommended?.cost:number",
+                                                                "recommended?.scenes:number",
+                                                                "scenes[].name:text",
+                                                                "scenes[].title:text",
+                                                                "scenes[].triangles:number",
+                                                                "scenes[].light:text",
+                                                                "scenes[].hash:text",
+                                                                "scenes[].reference_device:text",
+                                                                "scenes[].failure?.message:text",
+                                                                "scenes[].warnings[]:text",
+                                                                "scenes[].recommended?:text",
+                                                                "scenes[].runs[].label:text",
+                                                                "scenes[].runs[].time_ms?.value:number",
+                                                                "scenes[].runs[].time_ms?.low:number",
+                                                                "scenes[].runs[].time_ms?.high:number",
+                                                                "scenes[].runs[].rmse?.value:number",
+                                                                "scenes[].runs[].rmse?.low:number",
+                                                                "scenes[].runs[].rmse?.high:number",
+                                                                "scenes[].runs[].memory_bytes:number",
+                                                                "scenes[].runs[].is_on_front?:flag",
+                                                                "scenes[].runs[].failure?.message:text",
+                                                                "scenes[].runs[].seed:number",
+                                                                "scenes[].runs[].parameters:object",
+                                                                "scenes[].claims[].text:text",
+                                                                "scenes[].claims[].source:text",
+                                                                "scenes[].claims[].quantity:text",
+                                                                "scenes[].claims[].numerator:text",
+                                                                "scenes[].claims[].denominator:text",
+                                                                "scenes[].claims[].paper.low:number",
+                                                                "scenes[].claims[].paper.high?:number",
+                                                                "scenes[].claims[].ours?.value:number",
+                                                                "scenes[].claims[].verdict:text",
+                                                                "scenes[].claims[].reason:text"});
+
+constexpr std::array kTruthFields = std::to_array<string_view>(
+    {"points[].kind:text", "points[].setting:number", "points[].cpu_s:number", "points[].cpu_mad_s:number",
+     "points[].rays_per_pixel:number", "points[].rmse:number", "points[].rmse_low:number",
+     "points[].rmse_high:number"});
+
+constexpr std::array kRegressFields = std::to_array<string_view>({"suite:text",
+                                                                  "passes:flag",
+                                                                  "pass:number",
+                                                                  "better:number",
+                                                                  "undecided:number",
+                                                                  "fail:number",
+                                                                  "width_px:number",
+                                                                  "height_px:number",
+                                                                  "seed:number",
+                                                                  "cases[].scene:text",
+                                                                  "cases[].label:text",
+                                                                  "cases[].outcome:text",
+                                                                  "cases[].kind:text",
+                                                                  "cases[].message:text",
+                                                                  "cases[].notes[]:text",
+                                                                  "cases[].samples_per_pixel:number",
+                                                                  "cases[].added_samples_per_pixel:number",
+                                                                  "cases[].pictures:number",
+                                                                  "cases[].before?.rmse?.value:number",
+                                                                  "cases[].now?.rmse?.value:number",
+                                                                  "cases[].gate[].class:text",
+                                                                  "cases[].gate[].baseline?:number",
+                                                                  "cases[].gate[].value?:number",
+                                                                  "cases[].gate[].allowed?:number",
+                                                                  "cases[].gate[].severity?:number"});
+
+constexpr std::array kStressFields = std::to_array<string_view>({"title:text",
+                                                                 "version:text",
+                                                                 "commit:text",
+                                                                 "device:text",
+                                                                 "width_px:number",
+                                                                 "height_px:number",
+                                                                 "samples_per_pixel:number",
+                                                                 "seed:number",
+                                                                 "violations[]:text",
+                                                                 "rows[]:text",
+                                                                 "axes[].name:text",
+                                                                 "axes[].unit:text",
+                                                                 "axes[].doc:text",
+                                                                 "axes[].nominal:number",
+                                                                 "axes[].values[]:text",
+                                                                 "ranges[].row:text",
+                                                                 "ranges[].axis:text",
+                                                                 "ranges[].applies:flag",
+                                                                 "ranges[].why_not:text",
+                                                                 "ranges[].first:text",
+                                                                 "ranges[].last:text",
+                                                                 "ranges[].held:number",
+                                                                 "ranges[].values:number",
+                                                                 "ranges[].break_before?.value:text",
+                                                                 "ranges[].break_after?.value:text",
+                                                                 "cells[].axis:text",
+                                                                 "cells[].row:text",
+                                                                 "cells[].value:number",
+                                                                 "cells[].rmse?.value:number"});
+
+/// What a person calls it: "leak", "wrong width", "refused".
+void add_words(Json& cell) {
+  const std::string name = text_of(cell, "outcome"), how = text_of(cell, "how");
+  for (size_t k = 0; k < kStressOutcomes; ++k) {
+    const auto outcome = static_cast<StressOutcome>(k);
+    if (name_of(outcome) != name) continue;
+    cell["words"] = words_for(outcome, how);
+    return;
+  }
+  fail_input(fmt::format("no outcome of a stress run is called '{}'", name));
+}
+
+Json bench_data(const std::filesystem::path& folder) {
+  Json studies = Json::array();
+  for_side_files(folder, "bench", [&](const Json& document, const std::string& file) {
+    const Json list = document.contains("studies") ? document.at("studies") : Json::array({document});
+    for (Json study : list) {
+      require_fields(study, kBenchFields);
+      for (const Json& scene : study.at("scenes")) {
+        if (scene.contains("truth") && !scene.at("truth").is_null())
+          require_fields(scene.at("truth"), kTruthFields);
+      }
+      study["file"] = file;
+      studies.push_back(std::move(study));
+    }
+  });
+  return studies;
+}
+
+Json stress_data(const std::filesystem::path& folder) {
+  Json maps = Json::array();
+  for_side_files(folder, "stress", [&](const Json& document, const std::string& file) {
+    require_fields(document, kStressFields);
+    Json map = document;
+    map["file"] = file;
+    for (Json& cell : map["cells"]) add_words(cell);
+    for (Json& range : map["ranges"]) {
+      for (const char* end : {"break_before", "break_after"}) {
+        if (!range[end].is_null()) add_words(range[end]);
+      }
+    }
+    maps.push_back(std::move(map));
+  });
+  return maps;
+}
+
+Json regress_data(const std::filesystem::path& folder) {
+  Json checks = Json::array();
+  for_side_files(folder, "regress", [&](const Json& document, const std::string& file) {
+    require_fields(document, kRegressFields);
+    Json check = document;
+    check["file"] = file;
+    checks.push_back(std::move(check));
+  });
+  return checks;
+}
+
+}  // namespace
+
+Json side_data(const std::filesystem::path& folder) {
+  return {{"benches", bench_data(folder)},
+          {"stresses", stress_data(folder)},
+          {"regressions", regress_data(folder)}};
+}
+
+}  // namespace umbrameter
