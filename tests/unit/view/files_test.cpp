@@ -90,7 +90,8 @@ TEST_F(ViewFiles, PathComesBackToTheLastBitAndIsLinearBetween) {
 }
 
 TEST_F(ViewFiles, PathThatRunsBackwardsIsRefusedAtItsLine) {
-  const Camera camera;
+  Camera camera;
+  camera.near_world = 0.01;
   write_file_atomically(place("bad.toml"), camera_path_toml({{1.0, camera}, {1.0, camera}}));
   try {
     read_camera_path(place("bad.toml"), 0.1);
