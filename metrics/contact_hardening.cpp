@@ -53,7 +53,7 @@ std::vector<Point> evenly_picked(const std::vector<Point>& points) {
 }
 
 // Of a line's slope: the sandwich estimator over places (Liang and Zeger 1986), its residuals clipped as the line's own
-// weights are (Huber). Absent for one place.
+// weights are (Huber); never below what the profiles alone give, since few places may cancel by chance. Absent for one place.
 std::optional<double> margin_of_slope(const std::vector<Point>& points, double slope, double intercept) {
   double mean = 0.0;
   std::vector<double> residuals, sizes;
@@ -64,17 +64,19 @@ std::optional<double> margin_of_slope(const std::vector<Point>& points, double s
   }
   const double wild = kWildSigmas * kSigmaPerMedian * median(std::move(sizes));
   std::map<Place, double> places;
-  double squares = 0.0;
+  double squares = 0.0, alone = 0.0;
   for (size_t k = 0; k < points.size(); ++k) {
     const double run = points[k].reference_octaves - mean;
     squares += run * run;
-    places[points[k].place] += run * std::clamp(residuals[k], -wild, wild);
+    const double score = run * std::clamp(residuals[k], -wild, wild);
+    places[points[k].place] += score;
+    alone += score * score;
   }
   if (places.size() < 2) return std::nullopt;
   double scores = 0.0;
   for (const auto& [place, score] : places) scores += score * score;
   const double n = static_cast<double>(places.size());
-  const double se = std::sqrt(scores * n / (n - 1.0)) / squares;
+  const double se = std::sqrt(std::max(scores * n / (n - 1.0), alone)) / squares;
   return student_t_975(static_cast<int>(places.size()) - 1) * se;
 }
 

@@ -6,19 +6,17 @@
 namespace umbrameter {
 namespace {
 
-/// Why there is no run with a score in `scene`: of its runs, or else of the scene itself.
-std::string why_none(const std::vector<Skip>& skipped, const std::string& scene) {
+/// Why there is no run with a score in `scene`: the scene's own reason, or its runs'. A scene with a truth has none of its
+/// own: what its truth saved is noted there, too.
+std::string why_none(const std::vector<Skip>& skipped, const std::string& scene, bool has_truth) {
   size_t runs = 0;
-  std::string first, whole_scene = "there is no run";
+  std::string first;
   for (const Skip& skip : skipped) {
-    if (skip.scene != scene) continue;
-    if (skip.technique.empty()) {
-      whole_scene = skip.reason;
-    } else if (runs++ == 0) {
-      first = fmt::format("'{}' {}", skip.technique, skip.reason);
-    }
+    if (skip.scene != scene || (skip.technique.empty() && has_truth)) continue;
+    if (skip.technique.empty()) return skip.reason;
+    if (runs++ == 0) first = fmt::format("'{}' {}", skip.technique, skip.reason);
   }
-  if (runs == 0) return whole_scene;
+  if (runs == 0) return "there is no run";
   return runs == 1 ? first : fmt::format("{}, and {} more", first, runs - 1);
 }
 
@@ -53,7 +51,7 @@ std::vector<MeasuredScene> measured_scenes(const Results& results) {
   for (const SceneResult& scene : results.scenes) {
     MeasuredScene measured;
     measured.name = scene.name;
-    measured.why_none = why_none(results.skipped, scene.name);
+    measured.why_none = why_none(results.skipped, scene.name, scene.reference.has_value());
     if (scene.reference) measured.scorable_pixels = scene.reference->scorable_pixels;
     measured.is_told = scene.failure.has_value() || (scene.parity && !scene.parity->passes);
     for (const TechniqueResult& run : scene.techniques) {
@@ -71,7 +69,7 @@ std::vector<MeasuredScene> measured_scenes(const BenchResults& results) {
     MeasuredScene measured;
     measured.name = scene.name;
     measured.scorable_pixels = scene.scorable_pixels;
-    measured.why_none = why_none(results.skipped, scene.name);
+    measured.why_none = why_none(results.skipped, scene.name, scene.parity.has_value());
     const bool is_void = scene.parity && !scene.parity->passes;
     if (is_void) measured.why_none = "the renderers see other surfaces";
     measured.is_told = scene.failure.has_value();

@@ -232,12 +232,12 @@ TEST(pcss_cascades, are_within_001_of_the_half_plane_under_a_sun) {
   EXPECT_LE(floor_error(frame, truth).rmse, 0.01);
 }
 
-/// A floor of 200 m under a sun, and rows of plates 1 m above it all the way, so that every slice has edges.
+/// A floor of 200 m under a slanting sun, and plates above it all the way, higher the farther, so that every slice has edges.
 Scene rows_of_plates() {
   Scene scene;
   add_floor(scene, {60, 200}, 0.0, {0, -95});
-  for (double z = -3.0; z > -180.0; z *= 1.2) add_floor(scene, {-z, -0.08 * z}, 1.0, {0, z});
-  scene.lights = {sun_light({0.4, 1, 0.1}, 0.005)};
+  for (double z = -3.0; z > -180.0; z *= 1.2) add_floor(scene, {-0.3 * z, -0.08 * z}, 1.0 - 0.05 * z, {0, z});
+  scene.lights = {sun_light({0.8, 1, 0.1}, 0.005)};
   scene.camera.eye_world = {0, 20, 3};
   scene.camera.at_world = {0, 0, -40};
   scene.camera.vertical_fov_deg = 50.0;
@@ -308,7 +308,7 @@ TEST(cascades, blend_only_where_slices_overlap) {
     }
     EXPECT_EQ(inside, 1) << "mixed at " << distance[i];
   }
-  for (const int count : blended) EXPECT_GT(count, 0) << "each pair of slices has edges to blend";
+  EXPECT_THAT(blended, testing::Each(testing::Gt(0))) << "each pair of slices has edges to blend";
   EXPECT_LT(mean_difference(mix, none), 0.05);
   EXPECT_GT(mean_difference(dither, none), 0.0);
 }
