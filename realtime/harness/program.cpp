@@ -184,10 +184,11 @@ std::shared_ptr<const Program> ProgramCache::read(std::span<const ShaderFile> st
   const std::vector<ShaderSource> sources = load_sources(stages, search_folders_);
   for (const ShaderSource& source : sources)
     known.files.insert(known.files.end(), source.dependencies.begin(), source.dependencies.end());
-  known.stamps = stamps_of(known.files);
+  const auto stamps = stamps_of(known.files);
   std::shared_ptr<const Program>& program = programs_[key_of(stages, sources)];
   if (program == nullptr) program.reset(new Program(stages, sources));
   known.program = program;
+  known.stamps = stamps;  // last: what does not compile is not known
   return program;
 }
 

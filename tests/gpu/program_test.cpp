@@ -125,6 +125,16 @@ TEST_F(ProgramTest, AnEditIsSeenAfterFilesWereLeftAloneForAWhile) {
   EXPECT_NE(cache.get(stages), first);
 }
 
+TEST_F(ProgramTest, AMistakeIsReportedEachTimeItIsAskedFor) {
+  ProgramCache cache({test::shaders_folder() / "lib"});
+  const fs::path file = write("wrong.frag", "void main() { no_such_function(); }\n");
+  const std::array<ShaderFile, 2> stages = {
+      {{ShaderStage::vertex, test::shaders_folder() / "lib/fullscreen.vert", ""},
+       {ShaderStage::fragment, file, ""}}};
+  for (int k = 0; k < 2; ++k)
+    EXPECT_THAT(error_of(ErrorKind::input, [&] { cache.get(stages); }), HasSubstr("no_such_function"));
+}
+
 TEST_F(ProgramTest, MacrosThatAShaderDoesNotNameMakeNoOtherProgram) {
   ProgramCache cache({test::shaders_folder() / "lib"});
   const fs::path file =
