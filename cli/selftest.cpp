@@ -26,6 +26,7 @@ struct SelftestOptions {
   size_t trials = 0;
   bool all = false;
   bool benign_only = false;
+  bool causes = false;
   bool with_assets = false;
 };
 
@@ -69,9 +70,11 @@ int selftest(const SelftestOptions& options, const GlobalOptions& global) {
   settings.shaders_folder = home.shaders;
   settings.scratch_folder = staging.folder();
   settings.pictures_folder = global.out;
-  settings.describe_run = [&home](const TechniqueChoice& choice) {
-    return technique_with(choice.technique, choice.parameters, home);
-  };
+  if (options.causes) {
+    settings.describe_run = [&home](const TechniqueChoice& choice) {
+      return technique_with(choice.technique, choice.parameters, home);
+    };
+  }
   if (!global.out.empty()) create_folder(global.out);
   ProgressBar progress;
   const SelftestResults results = run_selftest(jobs, settings, {*reference, *other, *realtime}, progress);
@@ -95,6 +98,8 @@ void add_selftest(CLI::App& app, CommandLine& line) {
                    "of changes that are no faults, at least: more rounds of other sizes and seeds")
       ->check(CLI::Range(0, 100000));
   verb->add_flag("--benign", options->benign_only, "only the changes that are no faults, and the masks");
+  verb->add_flag("--causes", options->causes,
+                 "also what mends each fault: it must be what was put in (docs/causes.md)");
   verb->add_flag("--all", options->all,
                  "the whole: scenes of real models, and everything once more at a held-out size and seed");
   verb->add_option("--seed", options->round.seed, "of the samples");

@@ -125,13 +125,13 @@ double excess(const GateMeasure& m) {
   return m.value.value_or(0.0) - m.baseline.value_or(0.0);
 }
 
-// Whether the map's texels are larger than the baseline's, as far as both are known. Edges that no coarser a map draws worse
-// are no fault of its resolution.
-bool may_be_coarser(const GateRun& run, const GateRun* baseline) {
+// Whether the map's texels are larger than the baseline's; absent where either is unknown. Edges that no coarser a map draws
+// worse are no fault of its resolution; a coarser one's texels make acne and detach shadows, too.
+std::optional<bool> is_coarser(const GateRun& run, const GateRun* baseline) {
   const auto footprint = [](const GateRun& r) {
     return r.diagnosis ? r.diagnosis->causes.median_footprint_px : std::nullopt;
   };
-  if (baseline == nullptr || !footprint(run) || !footprint(*baseline)) return true;
+  if (baseline == nullptr || !footprint(run) || !footprint(*baseline)) return std::nullopt;
   return *footprint(run) > kCoarser * *footprint(*baseline);
 }
 
@@ -196,7 +196,7 @@ std::optional<GateClass> kind_of_penumbra(const std::vector<GateMeasure>& measur
 // What the two runs say of a fault beside its measures.
 struct Hints {
   bool is_blur = false;  // nothing is too narrow, and four fifths are too wide
-  bool is_coarser = false;
+  std::optional<bool> is_coarser;
 };
 
 std::optional<GateClass> main_fault(const std::vector<GateMeasure>& measures, const GateMeasure& error,
@@ -204,8 +204,13 @@ std::optional<GateClass> main_fault(const std::vector<GateMeasure>& measures, co
   const size_t shares = kFaults.size() + 1;  // the last one: of penumbrae
   const GateMeasure* fault = largest(measures, 0, shares, excess);
   const GateMeasure& penumbrae = measures[shares - 1];
-  if (fault != nullptr && fault->kind == GateClass::resolution && !hints.is_coarser && penumbrae.exceeds())
+  if (fault != nullptr && fault->kind == GateClass::resolution && hints.is_coarser == false &&
+      penumbrae.exceeds())
     fault = &penumbrae;
+  const bool is_of_texels = hints.is_coarser == true && of(measures, GateClass::resolution).exceeds();
+  if (fault != nullptr && is_of_texels &&
+      (fault->kind == GateClass::acne || fault->kind == GateClass::peter_panning))
+    return GateClass::resolution;
   // A filter of the wrong size loses thin shadows, too.
   const bool is_hardening = of(measures, GateClass::hardening).exceeds();
   const bool is_lost = fault != nullptr && fault->kind == GateClass::lost_shadow && is_hardening &&
@@ -265,7 +270,7 @@ GateVerdict judge_gate(const GateRun& run, const GateRun* baseline, bool worse, 
   add(GateClass::error, rmse, limits.error);
   if (baseline != nullptr && !worse) verdict.measures.back().value.reset();
   const bool is_blur = is_too_wide(run, baseline, kMostly) && !any_too_narrow(run, baseline, limits);
-  const Hints hints = {is_blur, may_be_coarser(run, baseline)};
+  const Hints hints = {is_blur, is_coarser(run, baseline)};
   verdict.kind = main_fault(causes, verdict.measures.back(), hints);
   if (verdict.kind == GateClass::softness && is_too_wide(run, baseline, 0.5))
     verdict.kind = GateClass::penumbra_too_wide;

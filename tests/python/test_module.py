@@ -184,7 +184,7 @@ class Module(unittest.TestCase):
         with self.assertRaisesRegex(um.InputError, "is not in a picture of 96 x 54 px"):
             score.walk(96, 0)
         with self.assertRaisesRegex(um.InputError, "no penumbra passes through pixel"):
-            score.walk(0, 53)
+            score.walk(90, 51)
 
     def test_the_pages_examples_run(self):
         root = pathlib.Path(__file__).resolve().parents[2]
@@ -211,7 +211,7 @@ class Module(unittest.TestCase):
             methods = node if isinstance(node, dict) else {}
             if methods:
                 self.assertEqual({m for m in dir(getattr(there, name)) if not m.startswith("_")}, set(methods) - {"__init__"}, name)
-            functions = methods if methods else ({} if node is None else {"": node})
+            functions = methods if isinstance(node, dict) else ({} if node is None else {"": node})
             for method, function in functions.items():
                 real = getattr(getattr(there, name), method) if method else getattr(there, name)
                 if isinstance(real, property):

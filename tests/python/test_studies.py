@@ -42,6 +42,7 @@ numerator = "pcf 5"
 denominator = "hard"
 quantity = "time"
 paper = 2.0
+unequal_cost = true
 """
 
 
