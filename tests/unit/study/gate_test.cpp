@@ -149,6 +149,22 @@ TEST(Gate, EdgesAreNotTheMapsFaultWhereItIsNoCoarser) {
   EXPECT_EQ(judge_gate(run, &baseline, false).kind, GateClass::resolution);
 }
 
+TEST(Gate, ACoarserMapsTexelsAreNamedBeforeWhatTheyMake) {
+  GateRun baseline = clean_run();
+  baseline.diagnosis->causes.median_footprint_px = 2.0;
+  for (const auto& [fault, kind] : {std::pair(FaultClass::peter_panning, GateClass::peter_panning),
+                                    std::pair(FaultClass::acne, GateClass::acne)}) {
+    GateRun run = with_share(fault, 0.05);
+    run.diagnosis->causes.median_footprint_px = 8.0;
+    EXPECT_EQ(judge_gate(run, &baseline, false).kind, kind) << "no edge says that texels are too wide";
+    run.diagnosis->faults.by_class[static_cast<size_t>(FaultClass::resolution)].mean_abs_error = 0.02;
+    EXPECT_EQ(judge_gate(run, &baseline, false).kind, GateClass::resolution);
+    EXPECT_EQ(judge_gate(run, nullptr, false).kind, kind) << "not known to be coarser";
+    run.diagnosis->causes.median_footprint_px = 2.0;
+    EXPECT_EQ(judge_gate(run, &baseline, false).kind, kind);
+  }
+}
+
 TEST(Gate, GrainIsNotBanding) {
   GateRun run = clean_run();
   run.diagnosis->causes.banding = 0.9;
