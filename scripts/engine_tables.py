@@ -56,7 +56,7 @@ def measured(runs):
                     for label in labels])
     context = table(("run", "version, device", "settings"),
                     [(label, first[label]["device"], settings_of(first[label])) for label in labels])
-    size = f'{runs[0]["width_px"]} x {runs[0]["height_px"]} px, truth of {runs[0]["samples_per_pixel"]} samples a pixel, ' \
+    size = f'{runs[0]["width_px"]} x {runs[0]["height_px"]} px, truth of {runs[0]["samples_per_pixel"]} samples per pixel, ' \
            f'seed {runs[0]["seed"]}, commit {runs[0]["commit"]}'
     return f"RMSE with its 95 % interval; {size}.\n\n{errors}\n\n{context}\n\nWhat became of the lights:\n\n{mappings(runs)}"
 

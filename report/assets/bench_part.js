@@ -69,7 +69,7 @@ function benchHeading(study) {
   const best = study.recommended;
   return [element("h3", {}, study.title || study.file), study.doc ? element("p", {}, study.doc) : null,
           element("p", {class: "context"}, `${study.file}: study ${study.study}; umbrameter ${study.version} (${study.commit}); ${study.width_px} x ${study.height_px} px, ` +
-                  `${study.samples_per_pixel} samples per pixel; up to ${study.wanted_frames} frames a run`),
+                  `${study.samples_per_pixel} samples per pixel; up to ${study.wanted_frames} frames per run`),
           best && best.scenes > 1 ? element("p", {}, `Recommended over ${best.scenes} scenes: ${best.label} (time x RMSE is ${significantText(best.cost, 3)} times each scene's least).`) : null]
       .filter(one => one);
 }

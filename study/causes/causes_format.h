@@ -11,11 +11,11 @@
 
 namespace umbrameter {
 
-/// One a fault: "peter panning 0.02800: no bias mends it; the truth's blocker distance removes 91 %: the search does not
+/// One per fault: "peter panning 0.02800: no bias mends it; the truth's blocker distance removes 91 %: the search does not
 /// find the blockers' true distance".
 std::vector<std::string> cause_sentences(const FaultCauses& causes);
 
-/// "mended by" and the sentence a fault; or why there is none.
+/// "cause" and its sentence for each fault; or why none was looked for.
 TermLines substitution_lines(const FaultCauses& causes);
 
 /// A table of substitution by fault: its name, what of each fault it removes ("91 %", "worse x 2.3"), the error elsewhere.

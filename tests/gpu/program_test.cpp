@@ -29,10 +29,13 @@ class ProgramTest : public GlTest {
     return file;
   }
 
+  static std::array<ShaderFile, 2> stages_of(const fs::path& fragment, const std::string& prelude = {}) {
+    return {{{ShaderStage::vertex, test::shaders_folder() / "lib/fullscreen.vert", ""},
+             {ShaderStage::fragment, fragment, prelude}}};
+  }
+
   Program build(const fs::path& fragment, const std::string& prelude = {}) {
-    const std::array<ShaderFile, 2> stages = {
-        {{ShaderStage::vertex, test::shaders_folder() / "lib/fullscreen.vert", ""},
-         {ShaderStage::fragment, fragment, prelude}}};
+    const auto stages = stages_of(fragment, prelude);
     const std::array<fs::path, 1> search = {test::shaders_folder() / "shared"};
     return Program(stages, search);
   }
@@ -102,9 +105,7 @@ TEST_F(ProgramTest, TheCacheCompilesAgainOnlyWhenSomeTextChanged) {
   write("part.glsl", "float a() { return 1.0; }\n");
   const fs::path file = write(
       "user.frag", "#include \"part.glsl\"\nlayout(location = 0) out float o;\nvoid main() { o = a(); }\n");
-  const std::array<ShaderFile, 2> stages = {
-      {{ShaderStage::vertex, test::shaders_folder() / "lib/fullscreen.vert", ""},
-       {ShaderStage::fragment, file, ""}}};
+  const auto stages = stages_of(file);
   const auto first = cache.get(stages);
   EXPECT_EQ(cache.get(stages), first);
   write("part.glsl", "float a() { return 2.0; }\n");
@@ -116,9 +117,7 @@ TEST_F(ProgramTest, AnEditIsSeenAfterFilesWereLeftAloneForAWhile) {
   const fs::path file = write("user.frag", "layout(location = 0) out float o;\nvoid main() { o = 1.0; }\n");
   for (const fs::path& place : {file, file.parent_path()})
     fs::last_write_time(place, fs::file_time_type::clock::now() - std::chrono::hours(1));
-  const std::array<ShaderFile, 2> stages = {
-      {{ShaderStage::vertex, test::shaders_folder() / "lib/fullscreen.vert", ""},
-       {ShaderStage::fragment, file, ""}}};
+  const auto stages = stages_of(file);
   const auto first = cache.get(stages);
   EXPECT_EQ(cache.get(stages), first);
   write("user.frag", "layout(location = 0) out float o;\nvoid main() { o = 2.0; }\n");
@@ -128,9 +127,7 @@ TEST_F(ProgramTest, AnEditIsSeenAfterFilesWereLeftAloneForAWhile) {
 TEST_F(ProgramTest, AMistakeIsReportedEachTimeItIsAskedFor) {
   ProgramCache cache({test::shaders_folder() / "lib"});
   const fs::path file = write("wrong.frag", "void main() { no_such_function(); }\n");
-  const std::array<ShaderFile, 2> stages = {
-      {{ShaderStage::vertex, test::shaders_folder() / "lib/fullscreen.vert", ""},
-       {ShaderStage::fragment, file, ""}}};
+  const auto stages = stages_of(file);
   for (int k = 0; k < 2; ++k)
     EXPECT_THAT(error_of(ErrorKind::input, [&] { cache.get(stages); }), HasSubstr("no_such_function"));
 }
