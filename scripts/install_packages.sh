@@ -22,6 +22,8 @@ fi
 echo "install_packages: ${#missing[@]} packages: ${missing[*]}"
 export DEBIAN_FRONTEND=noninteractive
 "${as_root[@]}" apt-get update -qq
-# What apt says of its progress goes to descriptor 1, all else nowhere; sudo would close a further one.
-"${as_root[@]}" apt-get install -y -qq -o APT::Status-Fd=1 -o Dpkg::Use-Pty=0 --no-install-recommends "${missing[@]}" |
+# dpkg closes the progress descriptor in packages' scripts, so it must not be their standard output; sudo closes all others,
+# so the shell that opens it runs inside.
+"${as_root[@]}" sh -c 'exec apt-get install -y -qq -o APT::Status-Fd=3 -o Dpkg::Use-Pty=0 --no-install-recommends "$@" 3>&1 >/dev/null' \
+  apt-get "${missing[@]}" |
   awk -v phase=packages -f quickstart_progress.awk >&2
