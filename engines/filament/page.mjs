@@ -27,6 +27,8 @@ export async function open(canvas) {
   // Its shaders for the web are those for phones. Where a device has 16-bit floats for them, pictures would be rounded to these.
   const compile = gl.shaderSource;
   gl.shaderSource = (shader, text) => compile.call(gl, shader, text.replaceAll("mediump", "highp"));
+  // A hint that costs nothing to leave out: here Chromium forgets all layers of a map when one is invalidated.
+  gl.invalidateFramebuffer = () => {};
   engine = Filament.Engine.create(canvas);
   swapChain = engine.createSwapChain();
   renderer = engine.createRenderer();

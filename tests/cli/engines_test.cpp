@@ -130,6 +130,53 @@ TEST_F(EnginesTest, FilamentDrawsWhatWeDraw) {
   EXPECT_NE(run_of(results, pcf)["error"]["rmse"]["value"], run_of(results, pcss)["error"]["rmse"]["value"]);
 }
 
+TEST_F(EnginesTest, FilamentsLampsCastShadowsAllAround) {
+  REQUIRE_ENGINE("Filament", package("filament"));
+  require_gl();
+  const std::string label = "filament:type=pcf,shadowOptions.mapSize=512";
+  expect_engine(validate({"under_a_bulb", "--technique", label}), label);
+}
+
+/// three.js with a page of our own, whose code sets the bias, beside it the code that all web engines share.
+void copy_three_page(const std::filesystem::path& folder, const std::string& bias) {
+  const auto overwrite =
+      std::filesystem::copy_options::recursive | std::filesystem::copy_options::overwrite_existing;
+  std::filesystem::copy(source_dir() / "engines" / "web", folder / "web", overwrite);
+  std::filesystem::copy(source_dir() / "engines" / "three", folder / "page", overwrite);
+  const auto replace = [&](const char* file, const std::string& from, const std::string& to) {
+    std::string text = read_file(folder / "page" / file);
+    const size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    write_file_atomically(folder / "page" / file, text.replace(at, from.size(), to));
+  };
+  replace("engine.toml", "id = \"three\"", "id = \"page\"");
+  replace("page.mjs", "  return light;\n", "  shadow.bias = " + bias + ";\n  return light;\n");
+}
+
+TEST_F(EnginesTest, ABrokenBiasOfAThreePageFailsTheGateAsPeterPanning) {
+  REQUIRE_ENGINE("three.js", package("three"));
+  require_gl();
+  copy_three_page(folder(), "-0.001");
+  write("suite.toml", R"(schema = 1
+title = "A page"
+scenes = ["contact_hardening"]
+width_px = 192
+height_px = 108
+samples_per_pixel = 64
+[[run]]
+technique = "page"
+values = { type = "pcf", shadowSide = "double", "shadow.mapSize" = 1024 }
+)");
+  const ProcessResult recorded = umbrameter({"regress", "record", "suite.toml", "--baseline", "."});
+  ASSERT_EQ(recorded.exit_code, 0) << recorded.err;
+  EXPECT_EQ(umbrameter({"regress", "check", "suite.toml", "--baseline", ".", "--seed", "7"}).exit_code, 0);
+  copy_three_page(folder(), "-0.03");
+  const ProcessResult broken =
+      umbrameter({"regress", "check", "suite.toml", "--baseline", ".", "--json", "--annotate", "github"});
+  EXPECT_EQ(broken.exit_code, 1) << broken.err;
+  EXPECT_EQ(Json::parse(broken.out)["cases"][0]["kind"], "peter_panning") << broken.out;
+}
+
 TEST_F(EnginesTest, EeveeDrawsWhatWeDraw) {
   REQUIRE_ENGINE("Blender EEVEE", "/usr/bin/blender");
   REQUIRE_ENGINE("Blender EEVEE", "/usr/bin/Xvfb");
