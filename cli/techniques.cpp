@@ -3,14 +3,12 @@
 #include "cli/home.h"
 #include "cli/techniques_verbs.h"
 #include "core/error.h"
-#include "realtime/inspect.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <map>
-#include <set>
 
 namespace umbrameter {
 namespace {
@@ -163,32 +161,6 @@ int check(const std::string& path, const GlobalOptions& global) {
   return kExitFine;
 }
 
-/// The text of every shader as the driver gets it, for one scene of each light type that needs another text.
-int print_glsl(const std::string& text, const GlobalOptions& global) {
-  const Home home = find_home();
-  const TechniqueRun run = choose_technique(text, {}, home);
-  const auto renderer = open_gl_renderer(global, home);
-  Json shaders = Json::array();
-  std::string answer;
-  std::set<std::string> seen;
-  for (const auto& [light, job] : scenes_by_light(scene_search(global, home))) {
-    if (std::find(run.lights.begin(), run.lights.end(), light) == run.lights.end()) continue;
-    const RenderRequest request{
-        .width_px = 64, .height_px = 36, .technique = run.technique, .parameters = run.parameters};
-    for (const FinalShader& shader : final_shaders(*renderer, job.scene, request)) {
-      if (!seen.insert(shader.text).second) continue;
-      shaders.push_back({{"pass", shader.pass}, {"stage", shader.stage}, {"text", shader.text}});
-      answer += fmt::format("// ---- pass {}, {} shader ----\n{}\n", shader.pass, shader.stage, shader.text);
-    }
-  }
-  if (global.json) {
-    print_json({{"id", run.id}, {"shaders", shaders}});
-  } else {
-    print_answer(answer);
-  }
-  return kExitFine;
-}
-
 }  // namespace
 
 void add_techniques(CLI::App& app, CommandLine& line) {
@@ -227,8 +199,13 @@ void add_techniques(CLI::App& app, CommandLine& line) {
   CLI::App* glsl_verb = verb->add_subcommand("glsl", "the shaders of a technique as the driver gets them");
   glsl_verb->fallthrough();
   glsl_verb->add_option("technique", *name, "ID[:name=value,...]; ID may be a folder")->required();
-  glsl_verb->callback(
-      [name, &line] { line.verb = [name, &line] { return print_glsl(*name, line.global); }; });
+  auto language = std::make_shared<std::string>("glsl");
+  glsl_verb
+      ->add_option("--language", *language, "glsl, spirv, hlsl, msl or essl (glslang-tools, spirv-cross)")
+      ->capture_default_str();
+  glsl_verb->callback([name, language, &line] {
+    line.verb = [name, language, &line] { return show_shaders(*name, *language, line.global); };
+  });
 }
 
 }  // namespace umbrameter

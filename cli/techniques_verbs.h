@@ -20,6 +20,10 @@ int write_technique_doc(const std::string& results_file, const GlobalOptions& gl
 /// `techniques show ID` and `engines show ID`.
 int show_technique(const std::string& id, const GlobalOptions& global);
 
+/// `techniques glsl ID`: every shader for one scene of each light type that needs another text, printed, or with --out DIR as
+/// a file each. SPIR-V, which is no text, needs the folder.
+int show_shaders(const std::string& technique, const std::string& language, const GlobalOptions& global);
+
 /// One built-in scene for each light type, by type.
 std::map<LightType, SceneJob> scenes_by_light(const SceneSearch& search);
 
