@@ -7,13 +7,9 @@ import pathlib
 import sys
 import tomllib
 
-BEGIN, END = "<!-- measured: scripts/engine_tables.sh writes from here -->", "<!-- to here -->"
+from markdown import replace_measured, table
+
 ENGINES = pathlib.Path(__file__).resolve().parent.parent / "engines"
-
-
-def table(headings, rows):
-    lines = ["| " + " | ".join(headings) + " |", "|" + " --- |" * len(headings)]
-    return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows])
 
 
 def error_of(run):
@@ -64,9 +60,7 @@ def measured(runs):
 def main():
     with open(sys.argv[1], encoding="utf-8", newline="") as file:
         runs = list(csv.DictReader(file))
-    doc = pathlib.Path(sys.argv[2])
-    head, rest = doc.read_text().split(BEGIN)
-    doc.write_text(head + BEGIN + "\n\n" + measured(runs) + "\n\n" + END + rest.split(END)[1])
+    replace_measured(pathlib.Path(sys.argv[2]), "engine_tables.sh", measured(runs))
 
 
 main()

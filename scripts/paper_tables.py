@@ -49,7 +49,7 @@ def claims_table(study):
             if paper(claim) not in papers:
                 papers.append(paper(claim))
             cells.append(here(scene, claim))
-    lines = ["| claim | ratio of | compares a pixel | paper | here |", "|---|---|---|---|---|"]
+    lines = ["| claim | ratio of | compares per pixel | paper | here |", "|---|---|---|---|---|"]
     lines += [f"| {text} | {quantity} | {counts} | {', '.join(papers)} | {'; '.join(cells)} |"
               for (text, quantity, counts), (papers, cells) in rows.items()]
     return "\n".join(lines)
@@ -75,7 +75,7 @@ def part(study):
     devices = sorted({f"{run['device']}, {run['timer']}" for scene in study["scenes"] for run in scene["runs"]
                       if run["device"]})
     context = (f"{study['title']}: {study['width_px']} x {study['height_px']} px, reference {study['samples_per_pixel']} "
-               f"samples a pixel, {'; '.join(devices)}, commit {study['commit']}.")
+               f"samples per pixel, {'; '.join(devices)}, commit {study['commit']}.")
     return "\n\n".join([context, claims_table(study), errors_table(study)])
 
 

@@ -5,7 +5,8 @@ import json
 import pathlib
 import sys
 
-BEGIN, END = "<!-- measured: scripts/make_readme.sh writes from here -->", "<!-- to here -->"
+from markdown import replace_measured
+
 TITLES = {"contact_hardening": "cube and post, disk light", "assets/bunny": "bunny, disk light", "assets/crytek_sponza": "Sponza, hazy sun"}
 
 
@@ -37,10 +38,7 @@ def context(results):
 
 def main():
     results, file = json.loads(pathlib.Path(sys.argv[1]).read_text()), pathlib.Path(sys.argv[2])
-    text = file.read_text()
-    before, rest = text.split(BEGIN)
-    after = rest.split(END)[1]
-    file.write_text(f"{before}{BEGIN}\n\n{context(results)}\n\n{table(results)}\n\n{END}{after}")
+    replace_measured(file, "make_readme.sh", f"{context(results)}\n\n{table(results)}")
 
 
 if __name__ == "__main__":

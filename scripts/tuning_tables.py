@@ -6,7 +6,8 @@ import json
 import pathlib
 import sys
 
-BEGIN, END = "<!-- measured: scripts/bench_tune.sh writes from here -->", "<!-- to here -->"
+from markdown import replace_measured
+
 TARGET_OVER_GRID = 1.02
 TARGET_SHARE = 0.05
 OWN = {"default", "low", "medium", "high", "reference"}  # ours, not a paper's or an engine's
@@ -125,10 +126,7 @@ def main():
     context = f"{first['width_px']} x {first['height_px']} px, maps of 256 texels, {first['device']}."
     parts = [context, "### Against a dense grid", grid_part(grids), "### Against defaults and presets",
              presets_part(presets), "### Safe windows at the tuned values", windows(presets)]
-    text = doc.read_text()
-    head, rest = text.split(BEGIN)
-    tail = rest.split(END)[1]
-    doc.write_text(head + BEGIN + "\n" + "\n\n".join(parts) + "\n" + END + tail)
+    replace_measured(doc, "bench_tune.sh", "\n\n".join(parts))
 
 
 if __name__ == "__main__":
