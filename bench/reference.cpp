@@ -30,7 +30,7 @@
 namespace umbrameter {
 namespace {
 
-constexpr uint32_t kPoints = 128;  // a replicate: 1024 samples a pixel
+constexpr uint32_t kPoints = 128;  // a replicate: 1024 samples per pixel
 constexpr int kSide = 14;          // pixels; few enough for the recorded rays to stay in a cache
 constexpr int kBlocks = (kSide + kBlock - 1) / kBlock;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the truth costs and how fast it converges: processor seconds (times start when the scene is built), rays a pixel and
+// What the truth costs and how fast it converges: processor seconds (times start when the scene is built), rays per pixel and
 // RMSE of visibility over lit pixels, a line of CSV a picture, with what Embree alone needs for its primary and its shadow rays
 // (raw_limits.h). Blockers are not probed.
 //   bench_truth cube  [WIDTH HEIGHT [THREADS]]   a cube against its closed form, by target and by fixed samples; the exponent of
@@ -165,7 +165,8 @@ void share(const Picture& picture) {
   const RayBudget budget = ray_budget(truth.frame.image);
   const double rays = samples * (1.0 - budget.background - budget.unlit);
   std::cout << fmt::format(
-      "uniform sampling errs with samples to the power {:.2f} and needs {:.0f} samples, {:.0f} rays a pixel, "
+      "uniform sampling errs with samples to the power {:.2f} and needs {:.0f} samples, {:.0f} rays per "
+      "pixel, "
       "for the same "
       "error: the picture took {:.1f} % of its rays\n",
       exponent, samples, rays, 100.0 * adaptive.rays_per_pixel / rays);

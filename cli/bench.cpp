@@ -196,12 +196,12 @@ void add_bench(CLI::App& app, CommandLine& line) {
                    "name the shortest time below an RMSE");
   verb->add_flag("--passes", options->with_passes, "also print the time of every pass");
   verb->add_flag("--no-reuse", options->no_reuse, "render truths again that the store in --out knows");
-  verb->add_option("--frames", options->frames, "timed frames a run, instead of the study's")
+  verb->add_option("--frames", options->frames, "timed frames per run, instead of the study's")
       ->check(CLI::Range(1, 10000));
   verb->add_option("--width", options->quality.width, "picture width in pixels, instead of the study's");
   verb->add_option("--height", options->quality.height, "picture height in pixels, instead of the study's");
   verb->add_option("--spp", options->quality.samples_per_pixel,
-                   "reference samples a pixel, instead of the study's");
+                   "reference samples per pixel, instead of the study's");
   verb->callback([options, &line] { line.verb = [options, &line] { return bench(*options, line.global); }; });
 }
 

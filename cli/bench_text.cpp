@@ -84,7 +84,7 @@ std::string claim_table(const BenchResults& results) {
     }
   }
   if (rows.empty()) return {};
-  return "\n" + format_table({"scene", "source", "claim", "ratio of", "compares a pixel", "paper",
+  return "\n" + format_table({"scene", "source", "claim", "ratio of", "compares per pixel", "paper",
                               "ours [95 %]", "verdict"},
                              rows);
 }
@@ -163,7 +163,7 @@ std::string scene_line(const BenchScene& scene) {
 std::string bench_text(const BenchResults& results, const BenchQueries& queries, bool with_passes) {
   const BenchPlan& plan = results.plan;
   const std::string title = plan.doc.empty() ? plan.title : plan.title + "\n" + plan.doc;
-  std::string text = fmt::format("{}\n{} x {} px, {} samples a pixel, frames in turn\n{}\n{}", title,
+  std::string text = fmt::format("{}\n{} x {} px, {} samples per pixel, frames in turn\n{}\n{}", title,
                                  plan.picture.width_px, plan.picture.height_px,
                                  plan.picture.samples_per_pixel, devices(results), run_table(results));
   if (with_passes) text += "\n" + pass_table(results);

@@ -48,7 +48,8 @@ void add_quality_options(CLI::App& verb, QualityOptions& options) {
       ->capture_default_str();
   verb.add_option("--width", options.width, "picture width in pixels");
   verb.add_option("--height", options.height, "picture height in pixels");
-  verb.add_option("--spp", options.samples_per_pixel, "reference samples a pixel; with --target-se the most");
+  verb.add_option("--spp", options.samples_per_pixel,
+                  "reference samples per pixel; with --target-se the most");
   verb.add_option("--target-se", options.target_se, "stop sampling at this standard error of visibility");
   verb.add_option("--seed", options.seed, "seed of all sampling")->capture_default_str();
 }

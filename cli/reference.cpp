@@ -39,9 +39,10 @@ nlohmann::json to_json(const RayBudget& budget) {
 /// What each rule saved, of the samples that the most sampled pixel got.
 std::string describe(const RayBudget& b) {
   return fmt::format(
-      "{:.1f} shadow rays a pixel; pixels: {:.1f} % background, {:.1f} % unlit, {:.1f} % proven lit, {:.1f} "
+      "{:.1f} shadow rays per pixel; pixels: {:.1f} % background, {:.1f} % unlit, {:.1f} % proven lit, "
+      "{:.1f} "
       "% "
-      "proven dark, {:.1f} % sampled; as many as its neediest everywhere would be {:.0f} rays a pixel\n",
+      "proven dark, {:.1f} % sampled; as many as its neediest everywhere would be {:.0f} rays per pixel\n",
       b.rays_per_pixel, 100 * b.background, 100 * b.unlit, 100 * b.proven_lit, 100 * b.proven_dark,
       100 * b.sampled, b.uniform_rays_per_pixel);
 }

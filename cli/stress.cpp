@@ -147,7 +147,7 @@ void add_stress(CLI::App& app, CommandLine& line) {
   verb->add_option("--axis", options->axes, "only this axis; repeatable")->allow_extra_args(false);
   verb->add_option("--width", options->width_px, "of pictures, px")->check(CLI::Range(1, 16384));
   verb->add_option("--height", options->height_px, "of pictures, px")->check(CLI::Range(1, 16384));
-  verb->add_option("--spp", options->samples_per_pixel, "samples a pixel of the truth")
+  verb->add_option("--spp", options->samples_per_pixel, "samples per pixel of the truth")
       ->check(CLI::Range(8, 1 << 20));
   verb->add_option("--seed", options->seed, "seed of all sampling");
   verb->add_option("--timeout", options->timeout_s, "seconds after which a picture hangs")

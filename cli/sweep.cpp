@@ -141,7 +141,7 @@ CLI::App* add_study_verb(CLI::App& app, const char* name, const char* what, Swee
   verb->add_option("--width", options.quality.width, "picture width in pixels, instead of the study's");
   verb->add_option("--height", options.quality.height, "picture height in pixels, instead of the study's");
   verb->add_option("--spp", options.quality.samples_per_pixel,
-                   "reference samples a pixel, instead of the study's");
+                   "reference samples per pixel, instead of the study's");
   return verb;
 }
 

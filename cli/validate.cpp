@@ -307,7 +307,7 @@ void add_validate(CLI::App& app, CommandLine& line) {
   add_light_option(*verb, line.global);
   add_quality_options(*verb, options->quality);
   verb->add_option("--frames", options->frames,
-                   "timed frames a technique, instead of the quality's; 0 times nothing")
+                   "timed frames per technique, instead of the quality's; 0 times nothing")
       ->check(CLI::Range(0, 10000));
   verb->add_flag("--temporal", options->temporal,
                  "also measure flicker under a moving camera and light, and the noise of seeds");

@@ -29,7 +29,7 @@ constexpr double kPeak = 25.0;
 using Field = std::array<std::array<double, kSide>, kSide>;
 
 struct Frequency {
-  double x = 0.0, y = 0.0;  // cycles a pixel
+  double x = 0.0, y = 0.0;  // cycles per pixel
 };
 
 struct TilePeak {

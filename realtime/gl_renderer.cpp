@@ -31,7 +31,7 @@ namespace {
 // Tuners go round and round between a few scenes and cameras: 13 cameras at 480 x 270 px fit.
 constexpr size_t kScenesBytes = size_t{256} << 20;
 constexpr size_t kPicturesBytes = size_t{256} << 20;
-constexpr size_t kTexturesBytes = size_t{512} << 20;  // 32 maps of 2048 texels a side
+constexpr size_t kTexturesBytes = size_t{512} << 20;  // 32 maps of 2048 texels per side
 constexpr size_t kPictureBytesPerPixel = 112;         // 60 of textures, 52 of planes
 
 struct SceneOnGpu {

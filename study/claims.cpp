@@ -126,7 +126,7 @@ void require_fair_cost(const Claim& claim, std::span<const RunCost> runs) {
   const auto one = compares(claim.numerator), other = compares(claim.denominator);
   const bool is_equal = one && other && std::max(*one, *other) <= (1.0 + kEqualCost) * std::min(*one, *other);
   if (is_equal != claim.has_unequal_cost) return;
-  const std::string counts = fmt::format("{} and {} comparisons a pixel", count_text(claim.numerator, one),
+  const std::string counts = fmt::format("{} and {} comparisons per pixel", count_text(claim.numerator, one),
                                          count_text(claim.denominator, other));
   if (is_equal) {
     fail_input(fmt::format("the claim '{}' says unequal_cost, of {}", claim.text, counts), claim.where,

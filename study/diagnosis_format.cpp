@@ -54,9 +54,9 @@ std::string part_text(double mean_abs_error) {
 std::string moire_text(const Moire& moire) {
   if (!moire.cycles_per_px) return "not identifiable";
   const std::string texels = moire.cycles_per_texel
-                                 ? fmt::format("{:.2f} cycles a texel", *moire.cycles_per_texel)
-                                 : std::string("cycles a texel not identifiable");
-  return fmt::format("{:.3f} cycles a pixel, {} ({} tiles)", *moire.cycles_per_px, texels, moire.tiles);
+                                 ? fmt::format("{:.2f} cycles per texel", *moire.cycles_per_texel)
+                                 : std::string("cycles per texel not identifiable");
+  return fmt::format("{:.3f} cycles per pixel, {} ({} tiles)", *moire.cycles_per_px, texels, moire.tiles);
 }
 
 /// Of the error where a texel is larger than a pixel.

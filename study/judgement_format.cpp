@@ -26,7 +26,7 @@ std::string exceedance_text(const SignificanceNumbers& numbers) {
 
 std::string what_would_decide(const std::optional<double>& more_samples) {
   if (!more_samples) return "; more samples would not decide, other views may";
-  return fmt::format("; about {:.0f} more samples a pixel would decide", std::max(1.0, *more_samples));
+  return fmt::format("; about {:.0f} more samples per pixel would decide", std::max(1.0, *more_samples));
 }
 
 }  // namespace

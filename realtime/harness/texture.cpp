@@ -54,7 +54,7 @@ void require_shape(int width, int height, const TextureShape& shape, const std::
   GLint max_samples = 0;
   glGetIntegerv(GL_MAX_SAMPLES, &max_samples);
   if (shape.samples < 1 || shape.samples > max_samples) {
-    fail_input(fmt::format("texture '{}' with {} samples a texel is not possible", name, shape.samples),
+    fail_input(fmt::format("texture '{}' with {} samples per texel is not possible", name, shape.samples),
                where, fmt::format("this device takes 1 to {}", max_samples));
   }
   GLint max_layers = 0;
@@ -67,7 +67,7 @@ void require_shape(int width, int height, const TextureShape& shape, const std::
     fail_input(fmt::format("texture '{}' is a cube of {} x {} texels", name, width, height), where,
                "its faces must be square");
   if (shape.kind != TextureKind::flat && shape.samples > 1)
-    fail_input(fmt::format("texture '{}' has layers and {} samples a texel", name, shape.samples), where,
+    fail_input(fmt::format("texture '{}' has layers and {} samples per texel", name, shape.samples), where,
                "only kind = \"2d\" can have samples");
   const int most = shape.samples > 1 ? 1 : full_chain_levels(width, height);
   if (shape.levels >= 1 && shape.levels <= most) return;

@@ -86,7 +86,7 @@ std::string test_case(const RegressCase& one) {
     text += fmt::format("      <failure type=\"{}\" message=\"{}\"></failure>\n", xml_text(one.verdict.kind),
                         xml_text(one.verdict.message));
   std::string notes =
-      fmt::format("{}; {} samples a pixel, {} of them added; {} pictures", name_of(one.verdict.outcome),
+      fmt::format("{}; {} samples per pixel, {} of them added; {} pictures", name_of(one.verdict.outcome),
                   one.samples_per_pixel, one.added_samples_per_pixel, one.pictures);
   if (one.verdict.outcome != CaseOutcome::fail && !one.verdict.message.empty())
     notes += "\n" + one.verdict.message;

@@ -19,7 +19,7 @@ std::string rmse_cell(const std::optional<BaselineRun>& run) {
 
 std::string effort(const RegressCase& one) {
   if (one.samples_per_pixel == 0) return kNotApplicable;
-  std::string text = fmt::format("{} samples a pixel", one.samples_per_pixel);
+  std::string text = fmt::format("{} samples per pixel", one.samples_per_pixel);
   if (one.added_samples_per_pixel > 0) text += fmt::format(" ({} added)", one.added_samples_per_pixel);
   return one.pictures > 1 ? text + fmt::format(", {} seeds", one.pictures) : text;
 }

@@ -54,7 +54,7 @@ std::string nominal_text(const StressAxis& axis) {
 std::string stress_summary(const StressResults& results) {
   const StressPlan& plan = results.plan;
   return fmt::format(
-      "{} axes, {} techniques, {} cells, {} against the rules; {} x {} px, {} samples a pixel, seed {}",
+      "{} axes, {} techniques, {} cells, {} against the rules; {} x {} px, {} samples per pixel, seed {}",
       plan.axes.size(), results.rows.size() - 1, results.cells.size(), results.violations().size(),
       plan.picture.width_px, plan.picture.height_px, plan.picture.samples_per_pixel, plan.picture.seed);
 }

@@ -71,7 +71,7 @@ TEST_F(GlBenchCommand, PrintsTablesAndClaims) {
   write("study.toml", std::string(kHead) + "scenes = [\"plate\"]\nframes = 6\n" + kRuns);
   const ProcessResult result = umbrameter({"bench", "study.toml", "--frames", "7", "--passes"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  for (const char* part : {"Tiny\n64 x 36 px, 64 samples a pixel", "wide, uniform", "on the front", "paper",
+  for (const char* part : {"Tiny\n64 x 36 px, 64 samples per pixel", "wide, uniform", "on the front", "paper",
                            "verdict", "225 taps against one", "(7 frames)"})
     EXPECT_THAT(result.out, HasSubstr(part));
 }
@@ -130,7 +130,7 @@ TEST_F(BenchCommand, SlipsAreFoundBeforeAnythingIsRendered) {
       run +
       "[[run]]\ntechnique = \"hard\"\n[[claim]]\ntext = \"t\"\nsource = \"s\"\nnumerator = \"hard\"\n"
       "denominator = \"pcf_bilinear\"\nquantity = \"fps\"\nat_least = 1\n";
-  expect_bad_input(study(claim), "'hard' 1 and 'pcf_bilinear' 36 comparisons a pixel");
+  expect_bad_input(study(claim), "'hard' 1 and 'pcf_bilinear' 36 comparisons per pixel");
   expect_bad_input(study("quality = \"quik\"\n" + run), "unknown quality 'quik' (did you mean 'quick'?)");
   write("study.toml", std::string(kHead) + "scenes = [\"plat\"]\n" + run);
   expect_bad_input(umbrameter({"bench", "study.toml"}), "plat");

@@ -56,7 +56,7 @@ Score score(const Technique& technique, const Light& light, const ParameterValue
 /// How much the score may change, by what a family keeps constant. Measured, and about a half more.
 struct Bounds {
   double fit;         // everything instead of what is visible: texels four times as large
-  double resolution;  // half or twice as many texels a side
+  double resolution;  // half or twice as many texels per side
 };
 
 Bounds bounds_of(const std::string& family) {

@@ -44,7 +44,7 @@ TEST(RayShare, the_bunny_takes_at_most_15_percent_of_the_rays_of_uniform_samplin
   const double samples = 1024 * std::pow(rmse_of(adaptive) / many, 1.0 / exponent);
   const double share = budget.rays_per_pixel / (samples * (1.0 - budget.background - budget.unlit));
   std::cout << fmt::format(
-      "{:.0f} rays a pixel for an RMSE of {:.5f}; uniform sampling needs {:.0f} samples: {:.1f} %\n",
+      "{:.0f} rays per pixel for an RMSE of {:.5f}; uniform sampling needs {:.0f} samples: {:.1f} %\n",
       budget.rays_per_pixel, rmse_of(adaptive), samples, 100.0 * share);
   EXPECT_LT(share, 0.15);
 }

@@ -32,7 +32,7 @@ ErrorCauses causes_of(const Image& test, const Image& reference) {
 }
 
 TEST(TexelFootprint, IsTheLongerExtentOfATexel) {
-  // Columns of the step: texels a pixel. 1/4 texel along x, 1/2 along y: 4 and 2 px.
+  // Columns of the step: texels per pixel. 1/4 texel along x, 1/2 along y: 4 and 2 px.
   EXPECT_DOUBLE_EQ(footprint_px({0.25, 0.0, 0.0, 0.5, true}), 4.0);
   // Sheared by its own width: smaller singular value of [[1, 1], [0, 1]] is (sqrt 5 - 1) / 2.
   EXPECT_NEAR(footprint_px({1.0, 1.0, 0.0, 1.0, true}), 2.0 / (std::sqrt(5.0) - 1.0), 1e-12);

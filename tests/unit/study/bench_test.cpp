@@ -182,7 +182,7 @@ TEST_F(ClaimCosts, AreEqualToATenth) {
   EXPECT_EQ(objection(110, 100), "");
   EXPECT_THAT(objection(111, 100), HasSubstr("compares unequal costs"));
   EXPECT_THAT(objection(25, 16), AllOf(HasSubstr("study.toml:7"), HasSubstr("'the mask pays'"),
-                                       HasSubstr("'fast' 25 and 'slow' 16 comparisons a pixel"),
+                                       HasSubstr("'fast' 25 and 'slow' 16 comparisons per pixel"),
                                        HasSubstr("unequal_cost = true")));
 }
 
@@ -195,7 +195,7 @@ TEST_F(ClaimCosts, ThatAreNotKnownAreNotEqual) {
 TEST_F(ClaimCosts, SaidToBeUnequalMustBe) {
   EXPECT_EQ(objection(16, 49, true), "");
   EXPECT_THAT(objection(16, 17, true),
-              HasSubstr("says unequal_cost, of 'fast' 16 and 'slow' 17 comparisons a pixel"));
+              HasSubstr("says unequal_cost, of 'fast' 16 and 'slow' 17 comparisons per pixel"));
 }
 
 TEST_F(ClaimCosts, AreNothingToMemory) {

@@ -143,7 +143,7 @@ TEST(JudgementLines, SayWhatWouldDecide) {
   EXPECT_EQ(lines[1].second, "9 pixels; noise alone would give 0");
   EXPECT_EQ(lines[2].second,
             "against hard: cannot tell, mean squared error -1.00e-03 [-3.00e-03, +1.00e-03]; about 2048 more "
-            "samples a pixel would decide");
+            "samples per pixel would decide");
   EXPECT_EQ(lines[3].second, "RMSE 0.02: cannot tell; more samples would not decide, other views may");
   EXPECT_TRUE(judgement_lines({}).empty());
 }
