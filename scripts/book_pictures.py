@@ -17,38 +17,43 @@ SIZE = {"width": 320, "height": 180}
 SAMPLES = 256
 DOTS_PER_INCH = 140
 LEAST_SHARE = 0.1  # of the mean absolute error, for a picture to show its fault
-MAP = {"map_size": 1024}
-BIASED = {**MAP, "receiver_plane": "none", "bias_texels": 1.0, "normal_offset_texels": 1.0}
+NO_BIAS = {"receiver_plane": "none", "bias_texels": 0.0, "normal_offset_texels": 0.0}
 
 
-def patch(value, inside):
-    """A picture that is the truth but for a square of `value` where the truth is `inside`: a fault that no technique of ours makes."""
+def square(value, is_wanted):
+    """A picture that is the truth but for one square of `value`: faults of the scene's data, which no technique of ours makes."""
     def paint(truth):
         visibility = truth["visibility"].copy()
-        wanted = np.isclose(visibility, inside, atol=1e-3) & (truth["unshadowed_irradiance"] > 0)
+        wanted = is_wanted(truth) & (truth["unshadowed_irradiance"] > 0)
         side = 24
-        sums = np.cumsum(np.cumsum(np.pad(wanted, ((1, 0), (1, 0))).astype(int), 0), 1)
-        whole = (sums[side:, side:] - sums[:-side, side:] - sums[side:, :-side] + sums[:-side, :-side]) == side * side
-        rows, columns = np.nonzero(whole)
+        sums = np.cumsum(np.cumsum(np.pad(wanted.astype(int), ((1, 0), (1, 0))), 0), 1)
+        rows, columns = np.nonzero(sums[side:, side:] - sums[:-side, side:] - sums[side:, :-side] + sums[:-side, :-side] == side * side)
         middle = np.argmin(np.hypot(rows - truth.shape[0] / 2, columns - truth.shape[1] / 2))
         visibility[rows[middle]:rows[middle] + side, columns[middle]:columns[middle] + side] = value
         return um.Picture.from_arrays({"visibility": visibility})
     return paint
 
 
+def without_horizon(truth):
+    """All of the light, where a part of it is below the receiver's own surface and nothing else hides it."""
+    own = (truth["blocker_distance"] == 0) & (truth["visibility"] < 0.8) & (truth["unshadowed_irradiance"] > 0)
+    return um.Picture.from_arrays({"visibility": np.where(own, np.float32(1), truth["visibility"])})
+
+
 # Class: scene, how the picture comes about, technique and parameters or a painter.
 FAULTS = {
-    "acne": ("box_contact", "pcss without a bias", ("pcss", {**BIASED, "bias_texels": 0.0, "normal_offset_texels": 0.0})),
-    "peter_panning": ("colonnade", "pcss with a bias of 0.3 m", ("pcss", {**BIASED, "bias_world": 0.3})),
-    "bleed": ("stacked_plates", "vsm without reduction", ("vsm", {**MAP, "filter_width_texels": 9.0, "bleed_reduction": 0.0})),
-    "geometric_leak": ("plate", "light painted into the shadow", patch(1.0, 0.0)),
-    "lost_shadow": ("plate", "pcss with back faces in the map", ("pcss", {**MAP, "caster_layer": "back_faces"})),
-    "extra_shadow": ("plate", "a shadow painted into the light", patch(0.0, 1.0)),
-    "resolution": ("colonnade", "pcss with a map of 128", ("pcss", {"map_size": 128})),
-    "penumbra": ("plate", "hard", ("hard", MAP)),
-    "penumbra_too_wide": ("half_plane_disk", "pcss with a light twice as large", ("pcss", {**MAP, "light_size_scale": 2.0})),
-    "overlap": ("comb", "hard", ("hard", MAP)),
-    "terminator": ("sphere_terminator", "hard without a bias", ("hard", {**MAP, "bias_texels": 0.0, "normal_offset_texels": 0.0})),
+    "lost_shadow": ("plate", "pcss, back faces in the map", ("pcss", {"map_size": 1024, "caster_layer": "back_faces"})),
+    "extra_shadow": ("plate", "shadow painted into the light", square(0.0, lambda truth: truth["visibility"] > 0.999)),
+    "terminator": ("sphere_terminator", "light below the horizon counted", without_horizon),
+    "peter_panning": ("colonnade", "hard, a bias of 1 m", ("hard", {**NO_BIAS, "map_size": 1024, "bias_world": 1.0})),
+    "resolution": ("colonnade", "pcss, a map of 128", ("pcss", {"map_size": 128})),
+    "penumbra_too_wide": ("box_contact", "pcf_disk, a kernel of 64 texels", ("pcf_disk", {"map_size": 1024, "radius_texels": 64.0})),
+    "penumbra": ("plate", "hard", ("hard", {"map_size": 1024})),
+    "overlap": ("contact_hardening", "hard", ("hard", {"map_size": 1024})),
+    "acne": ("slanted_plane", "hard, no bias", ("hard", {**NO_BIAS, "map_size": 512})),
+    "bleed": ("stacked_plates", "0.3 painted behind two plates",
+              square(0.3, lambda truth: (truth["visibility"] < 0.001) & (truth["blocker_layers"] > 1.5))),
+    "geometric_leak": ("plate", "light painted into the shadow", square(1.0, lambda truth: truth["visibility"] < 0.001)),
 }
 
 
