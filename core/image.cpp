@@ -13,7 +13,6 @@ namespace {
 
 std::vector<std::string> channel_names(const Image& image) {
   std::vector<std::string> names;
-  names.reserve(image.planes.size());
   for (const auto& [name, plane] : image.planes) names.push_back(name);
   return names;
 }
