@@ -2,6 +2,8 @@
 #include "cli/command_line.h"
 
 #include "cli/console.h"
+#include "cli/examples.h"
+#include "cli/ignored_options.h"
 #include "cli/sweep_verbs.h"
 #include "cli/verbs.h"
 #include "cli/view_verb.h"
@@ -88,8 +90,10 @@ std::optional<int> parse_command_line(int argc, const char* const* argv, CLI::Ap
   add_doctor(app, line);
   add_help(app, line);
   group_verbs(app);
+  add_examples(app);
   try {
     app.parse(argc, argv);
+    warn_of_ignored_options(app);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
     print_error(fmt::format("{} (see umbrameter --help)", usage_problem(app, error)));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/manual.h"
 
+#include "cli/examples.h"
 #include "core/version.h"
 
 #include <fmt/format.h>
@@ -54,6 +55,9 @@ std::string options_of(const CLI::App& app, bool with_help) {
 std::string verb_section(const CLI::App& verb, const std::string& path) {
   std::string text = fmt::format(".SS {}\n{}\n", roff(path), roff(verb.get_description()));
   text += options_of(verb, false);
+  const std::vector<std::string> examples = examples_of(path);
+  if (!examples.empty()) text += ".PP\nExamples:\n";
+  for (const std::string& example : examples) text += fmt::format(".PP\n.nf\n{}\n.fi\n", roff(example));
   for (const CLI::App* part : verbs_of(verb)) text += verb_section(*part, path + " " + part->get_name());
   return text;
 }

@@ -37,6 +37,9 @@ endforeach()
 add_custom_command(OUTPUT "${manual}/umbrameter.1.gz" "${manual}/bash" "${manual}/zsh" "${manual}/fish" ${manual_commands}
                    DEPENDS umbrameter VERBATIM COMMENT "Writing the manual page and completions")
 add_custom_target(umbrameter_manual ALL DEPENDS "${manual}/umbrameter.1.gz")
+configure_file(packaging/debian/umbrameter-exact.1 "${manual}/umbrameter-exact.1" COPYONLY)
+execute_process(COMMAND "${GZIP_PROGRAM}" -9 -n -k -f "${manual}/umbrameter-exact.1" COMMAND_ERROR_IS_FATAL ANY)
+install(FILES "${manual}/umbrameter-exact.1.gz" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1" COMPONENT exact)
 install(FILES "${manual}/umbrameter.1.gz" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1" COMPONENT program)
 install(FILES "${manual}/bash" DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions" RENAME umbrameter
         COMPONENT program)
@@ -59,9 +62,11 @@ write_basic_package_version_file("${CMAKE_BINARY_DIR}/generated/umbrameter-confi
 install(FILES "${CMAKE_BINARY_DIR}/generated/umbrameter-config.cmake"
               "${CMAKE_BINARY_DIR}/generated/umbrameter-config-version.cmake"
         DESTINATION "${package_folder}" COMPONENT development)
-file(RELATIVE_PATH prefix_from_pc "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
+set(pkgconfig_folder "lib/${CMAKE_LIBRARY_ARCHITECTURE}/pkgconfig")  # Debian's, which a cross compiler finds
+cmake_path(NORMAL_PATH pkgconfig_folder)
+file(RELATIVE_PATH prefix_from_pc "/${pkgconfig_folder}" "/")
 configure_file(cmake/umbrameter.pc.in "${CMAKE_BINARY_DIR}/generated/umbrameter.pc" @ONLY)
-install(FILES "${CMAKE_BINARY_DIR}/generated/umbrameter.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig"
+install(FILES "${CMAKE_BINARY_DIR}/generated/umbrameter.pc" DESTINATION "${pkgconfig_folder}"
         COMPONENT development)
 
 if(TARGET umbrameter_python)

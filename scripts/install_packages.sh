@@ -20,10 +20,8 @@ if [ "$(id -u)" -ne 0 ]; then
   as_root=(sudo)
 fi
 echo "install_packages: ${#missing[@]} packages: ${missing[*]}"
-export DEBIAN_FRONTEND=noninteractive
 "${as_root[@]}" apt-get update -qq
-# dpkg closes the progress descriptor in packages' scripts, so it must not be their standard output; sudo closes all others,
-# so the shell that opens it runs inside.
-"${as_root[@]}" sh -c 'exec apt-get install -y -qq -o APT::Status-Fd=3 -o Dpkg::Use-Pty=0 --no-install-recommends "$@" 3>&1 >/dev/null' \
-  apt-get "${missing[@]}" |
-  awk -v phase=packages -f quickstart_progress.awk >&2
+# What apt says of its progress goes to descriptor 3, all else nowhere. Not to 1: apt hides that one from packages' scripts, and
+# those that write would fail. The inner shell opens 3, since sudo closes it.
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive sh -c 'exec 3>&1 >/dev/null && exec apt-get install -y -qq -o APT::Status-Fd=3 -o Dpkg::Use-Pty=0 --no-install-recommends "$@"' \
+  sh "${missing[@]}" | awk -v phase=packages -f quickstart_progress.awk >&2

@@ -48,12 +48,52 @@ TEST_F(Help, HelpOfAVerbIsWhatTheVerbItselfSays) {
   expect_bad_input(umbrameter({"help", "scene", "chek"}), "did you mean 'check'?");
 }
 
+/// The lines of a verb's help that begin with "  umbrameter ".
+std::vector<std::string> examples_in(const std::string& help) {
+  std::vector<std::string> lines;
+  std::istringstream text(help);
+  for (std::string line; std::getline(text, line);)
+    if (line.starts_with("  umbrameter ")) lines.push_back(line.substr(2));
+  return lines;
+}
+
+TEST_F(Help, EveryVerbHasExamplesWhoseOptionsItHas) {
+  std::vector<std::vector<std::string>> paths;
+  for (const std::string& verb : kVerbs) paths.push_back({verb});
+  for (const char* part : {"list", "check", "plan", "import", "show", "export"})
+    paths.push_back({"scene", part});
+  for (const char* part : {"record", "check", "prove"}) paths.push_back({"regress", part});
+  const std::string global = out({"--help"});
+  for (std::vector<std::string> words : paths) {
+    words.insert(words.begin(), "help");
+    const std::string help = out(words);
+    const std::vector<std::string> examples = examples_in(help);
+    EXPECT_FALSE(examples.empty()) << words.back();
+    for (const std::string& example : examples) {
+      EXPECT_THAT(example, testing::StartsWith("umbrameter " + words[1]));
+      std::istringstream text(example);
+      for (std::string word; text >> word;)
+        if (word.starts_with("--")) EXPECT_THAT(help + global, HasSubstr(word)) << example;
+    }
+  }
+}
+
+TEST_F(Help, WhatAVerbIgnoresIsSaid) {
+  const ProcessResult ignored = umbrameter({"scene", "list", "--json", "--out", "x", "--threads", "2"});
+  EXPECT_EQ(ignored.exit_code, 0);
+  EXPECT_THAT(ignored.err, HasSubstr("--out is ignored: 'scene list' makes nothing of it"));
+  EXPECT_THAT(ignored.err, HasSubstr("--threads is ignored"));
+  EXPECT_FALSE(nlohmann::json::parse(ignored.out).empty());
+  EXPECT_THAT(umbrameter({"scene", "list"}).err, Not(HasSubstr("ignored")));
+}
+
 TEST_F(Help, TheManualPageHasEveryVerbAndItsOptions) {
   const std::string page = out({"help", "--man"});
   EXPECT_THAT(page, testing::StartsWith(".TH UMBRAMETER 1"));
   for (const std::string& verb : kVerbs) EXPECT_THAT(page, HasSubstr("\n.SS " + verb + "\n")) << verb;
   EXPECT_THAT(page, HasSubstr("\\fB\\-\\-exact\\-check"));
   EXPECT_THAT(page, HasSubstr(".SS scene check\n"));
+  EXPECT_THAT(page, HasSubstr("\numbrameter scene check plate my\\-scene.toml\n"));
   EXPECT_THAT(page, HasSubstr("UMBRAMETER_HOME"));
 }
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""run_tour.py PAGE PROGRAM_FOLDER: runs the page's console blocks in an empty folder. A command must end with 0; the lines
-after it must come in its output in that order, "..." standing for anything. Without it the first page that people try could
+"""run_tour.py PROGRAM_FOLDER PAGE...: runs each page's console blocks in an empty folder. A command must end with 0; the lines
+after it must come in its output in that order, "..." standing for anything. Without it the first pages that people try could
 be wrong."""
 import os
 import pathlib
@@ -47,27 +47,34 @@ def self_test():
     assert missing_line("one", ["on"]) == "on"
 
 
-def main():
-    self_test()
-    page, program_folder = pathlib.Path(sys.argv[1]).resolve(), os.path.abspath(sys.argv[2])
-    environment = {**os.environ, "PATH": program_folder + os.pathsep + os.environ["PATH"], "UMBRAMETER_HOME": "",
-                   "UMBRAMETER_ASSETS": ""}
+def run_page(page, environment):
+    """What is wrong with the page; None when nothing is."""
     all_steps = list(steps(page.read_text()))
-    assert len(all_steps) >= 10, len(all_steps)
+    assert len(all_steps) >= 10, (page, len(all_steps))
     with tempfile.TemporaryDirectory() as folder:
-        doctor = subprocess.run(["umbrameter", "doctor"], env=environment, capture_output=True, text=True)
-        if doctor.returncode == 3:
-            print(f"run_tour: no usable GL: {doctor.stderr.strip()}", file=sys.stderr)
-            return 3
         for command, expected in all_steps:
             run = subprocess.run(["bash", "-c", command], cwd=folder, env=environment, capture_output=True, text=True)
             print(f"$ {command}\n{run.stdout}{run.stderr}", flush=True)
             wanted = missing_line(run.stdout, expected)
             if run.returncode != 0 or wanted is not None:
-                print(f"run_tour: '{command}' ended with {run.returncode}; not found: {wanted}", file=sys.stderr)
-                return 1
-    print(f"run_tour: {len(all_steps)} commands")
-    return 0
+                return f"{page.name}: '{command}' ended with {run.returncode}; not found: {wanted}"
+    print(f"run_tour: {page.name}: {len(all_steps)} commands")
+    return None
+
+
+def main():
+    self_test()
+    program_folder, pages = os.path.abspath(sys.argv[1]), [pathlib.Path(page).resolve() for page in sys.argv[2:]]
+    environment = {**os.environ, "PATH": program_folder + os.pathsep + os.environ["PATH"], "UMBRAMETER_HOME": "",
+                   "UMBRAMETER_ASSETS": ""}
+    doctor = subprocess.run(["umbrameter", "doctor"], env=environment, capture_output=True, text=True)
+    if doctor.returncode == 3:
+        print(f"run_tour: no usable GL: {doctor.stderr.strip()}", file=sys.stderr)
+        return 3
+    problems = [problem for page in pages if (problem := run_page(page, environment))]
+    for problem in problems:
+        print(f"run_tour: {problem}", file=sys.stderr)
+    return 1 if problems or not pages else 0
 
 
 if __name__ == "__main__":

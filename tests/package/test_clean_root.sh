@@ -42,7 +42,7 @@ inside sh -c 'cd /root && python3 example.py' || fail "README's Python example f
 inside python3 -c '
 import umbrameter as um
 try:
-    um.frames("out")
+    um.frames("/root/out")
 except um.MachineError as error:
     assert "python3-pandas" in str(error), error
 else:

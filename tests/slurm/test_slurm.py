@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """test_slurm.py SOURCE_DIR PROGRAM: scripts/slurm under a Slurm of its own on loopback: 8 shards, one killed, the merge
-refused, submitted again, merged; every number equals a single sweep's. Without it a cluster's results could lack a shard in
-silence or differ from one machine's. Exit codes: 0 fine, 1 not, 3 no Slurm or no GL here."""
+refused, submitted again, merged; every number equals a single sweep's. Then a list of tunings and a regression, whose answers are those of
+the same commands alone. Without it a cluster's results could lack a shard in silence or differ from one machine's. Exit codes: 0 fine, 1 not, 3 no Slurm or no GL here."""
 import getpass
 import json
 import os
@@ -27,6 +27,17 @@ label = "pcf {filter_width_texels}"
 technique = "pcf"
 [run.values]
 filter_width_texels = [2, 3, 4, 5, 6, 7, 8, 9]
+"""
+TUNE = "tune {} --technique pcf --parameters filter_width_texels --evaluations 4 --time-limit 600s --cameras 1 --width 160 --height 90 --spp 64 --out tuned --json"
+SUITE = """schema = 1
+title = "Gate"
+scenes = ["plate"]
+width_px = 160
+height_px = 90
+samples_per_pixel = 64
+[[run]]
+label = "pcf"
+technique = "pcf"
 """
 PROGRAMS = ("munged", "slurmctld", "slurmd", "sbatch", "squeue", "scancel", "sinfo")
 
@@ -122,9 +133,9 @@ PartitionName=test Nodes={host} Default=YES MaxTime=INFINITE State=UP
         return self.ask("squeue", "-h", "-r", "-o", "%i %T").split("\n")[:-1]
 
 
-def submit(slurm, source, folder, program):
+def submit(slurm, source, folder, program, *arguments):
     environment = {**slurm.environment, "UMBRAMETER": program, "UMBRAMETER_HOME": "", "UMBRAMETER_ASSETS": ""}
-    run = subprocess.run(["bash", str(source / "scripts/slurm/submit.sh"), "-n", str(SHARDS), "-o", "results", "study.toml"],
+    run = subprocess.run(["bash", str(source / "scripts/slurm/submit.sh"), *arguments],
                          cwd=folder, env=environment, capture_output=True, text=True)
     print(run.stdout + run.stderr, end="", flush=True)
     assert run.returncode == 0, run.returncode
@@ -161,17 +172,49 @@ def numbers(program, store):
     return runs
 
 
+def best(answer):
+    """What a tuning found, without what differs from run to run: times."""
+    tuned = json.loads(answer)
+    return {key: tuned[key] for key in ("scenes", "technique", "best") if key in tuned}
+
+
+def test_commands(slurm, source, folder, program):
+    (folder / "suite.toml").write_text(SUITE)
+    run = lambda line, where: subprocess.run([program, *line.split()], cwd=where, check=True, capture_output=True, text=True).stdout
+    run(f"regress record suite.toml --baseline {folder}/baselines", folder)
+    lines = [TUNE.format("plate"), TUNE.format("box_contact"), f"regress check {folder}/suite.toml --baseline {folder}/baselines --json",
+             "tune no_such_scene --technique pcf --out tuned"]
+    (folder / "list.txt").write_text("\n".join(lines) + "\n")
+    submit(slurm, source, folder, program, "-o", "many", "list.txt")
+    slurm.wait("end of the commands", lambda: not slurm.jobs(), 600)
+    many = folder / "many"
+    summary = (many / "summary.txt").read_text().splitlines()
+    assert [line.split()[0] for line in summary] == ["0", "0", "0", "not"], summary
+    assert "no_such_scene" in (many / "logs/4.txt").read_text()
+    again = submit(slurm, source, folder, program, "-o", "many", "list.txt")
+    assert f"commands 4 of {len(lines)}" in again, again
+    for i, line in enumerate(lines[:2], 1):
+        alone = folder / f"alone{i}"
+        alone.mkdir()
+        theirs, ours = best((many / f"commands/{i}/answer.txt").read_text()), best(run(line, alone))
+        assert theirs == ours and "best" in ours, (theirs, ours)
+    check = json.loads((many / "commands/3/answer.txt").read_text())
+    assert check["passes"] and check["pass"] == 1, check
+    print("test_slurm: 2 tunings and a regression of a list equal those alone")
+
+
 def test(slurm, source, folder, program):
     (folder / "study.toml").write_text(STUDY)
     results = folder / "results"
-    submit(slurm, source, folder, program)
+    sweep = ("-n", str(SHARDS), "-o", "results", "study.toml")
+    submit(slurm, source, folder, program, *sweep)
     killed = kill_one(slurm, results / "shards")
     print(f"test_slurm: killed shard {killed}", flush=True)
     slurm.wait("end of the first jobs", lambda: not slurm.jobs(), 900)
     refusal = (results / "logs/merge.txt").read_text()
     assert f"shards {killed} are not done" in refusal, refusal
     assert not (results / "merged").exists()
-    again = submit(slurm, source, folder, program)
+    again = submit(slurm, source, folder, program, *sweep)
     assert f"shards {killed} of {SHARDS}" in again, again
     slurm.wait("end of the second jobs", lambda: not slurm.jobs(), 600)
     assert (results / "merged").exists(), (results / "logs/merge.txt").read_text()
@@ -183,7 +226,7 @@ def test(slurm, source, folder, program):
 
 
 def main():
-    source, program = pathlib.Path(sys.argv[1]), sys.argv[2]
+    source, program = pathlib.Path(sys.argv[1]), os.path.abspath(sys.argv[2])
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         slurm = Slurm(folder / "slurm")
@@ -200,6 +243,7 @@ def main():
             return 3
         try:
             test(slurm, source, folder, program)
+            test_commands(slurm, source, folder, program)
         finally:
             slurm.stop()
     return 0
