@@ -157,7 +157,7 @@ void technique_menu(ViewState& state) {
 }  // namespace
 
 void technique_panel(ViewState& state) {
-  if (!ImGui::CollapsingHeader("Technique (Page Up, Page Down)", ImGuiTreeNodeFlags_DefaultOpen)) return;
+  if (!ImGui::CollapsingHeader(heading_of(Section::technique), ImGuiTreeNodeFlags_DefaultOpen)) return;
   technique_menu(state);
   preset_menu(state);
   std::vector<std::string> groups;
