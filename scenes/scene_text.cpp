@@ -9,10 +9,9 @@
 namespace umbrameter {
 
 std::string camera_keys(const Camera& camera) {
-  std::string text =
-      fmt::format("eye = {}\nat = {}\nup = {}\nfov_deg = {}\n", toml_vector(camera.eye_world),
-                  toml_vector(camera.at_world), toml_vector(camera.up_world),
-                  toml_number(camera.vertical_fov_deg));
+  std::string text = fmt::format("eye = {}\nat = {}\nup = {}\nfov_deg = {}\n", toml_vector(camera.eye_world),
+                                 toml_vector(camera.at_world), toml_vector(camera.up_world),
+                                 toml_number(camera.vertical_fov_deg));
   if (camera.near_world != 0.0) text += fmt::format("near = {}\n", toml_number(camera.near_world));
   return text;
 }

@@ -28,8 +28,7 @@ class Builder {
   FrameGraph finish() {
     std::vector<size_t> free_from;  // by column: the first row after its last lane
     for (GraphLane& lane : graph_.lanes) {
-      const auto column =
-          std::ranges::find_if(free_from, [&](size_t row) { return row <= lane.first_row; });
+      const auto column = std::ranges::find_if(free_from, [&](size_t row) { return row <= lane.first_row; });
       lane.column = static_cast<size_t>(column - free_from.begin());
       if (column == free_from.end()) free_from.push_back(0);
       free_from[lane.column] = lane.last_row + 1;

@@ -74,10 +74,11 @@ void pass_row(ViewState& state, const FrameGraph& graph, size_t index, const Dra
   ImGui::PushID(static_cast<int>(index));
   ImGui::SetCursorScreenPos({begin.x + gutter + indent, begin.y});
   const std::optional<double> time_ms = time_of(drawing, row.label);
-  const std::string text = time_ms ? fmt::format("{}  {:.3f} ms", row.id, *time_ms)
+  const std::string text = time_ms       ? fmt::format("{}  {:.3f} ms", row.id, *time_ms)
                            : row.is_loop ? row.id + ", again and again:"
                                          : row.id;
-  const bool is_kept = !time_ms && drawing != nullptr && !drawing->passes.empty() && !row.is_loop && index > 0;
+  const bool is_kept =
+      !time_ms && drawing != nullptr && !drawing->passes.empty() && !row.is_loop && index > 0;
   ImGui::PushStyleVar(ImGuiStyleVar_Alpha, is_kept ? 0.5f : 1.0f);
   ImGui::ProgressBar(static_cast<float>(time_ms.value_or(0.0) / std::max(all_ms, 1e-9)),
                      {std::max(ImGui::GetContentRegionAvail().x, 60.0f), height},

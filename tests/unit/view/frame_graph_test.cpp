@@ -25,8 +25,9 @@ std::vector<std::string> names(const FrameGraph& graph, const std::vector<size_t
 using Names = std::vector<std::string>;
 
 TEST(FrameGraph, LanesRunFromTheFirstPassThatHasToDoWithATextureToTheLast) {
-  const FrameGraph graph = frame_graph({pass("map", {}, {"shadow_map"}), pass("blur", {"shadow_map"}, {"moments"}),
-                                        pass("shade", {"gbuffer.position", "gbuffer.normal", "moments"}, {"visibility"})});
+  const FrameGraph graph =
+      frame_graph({pass("map", {}, {"shadow_map"}), pass("blur", {"shadow_map"}, {"moments"}),
+                   pass("shade", {"gbuffer.position", "gbuffer.normal", "moments"}, {"visibility"})});
   ASSERT_EQ(graph.rows.size(), 4u);  // the G-buffer before them
   EXPECT_EQ(names(graph, graph.rows[0].writes), Names{kGBufferLane});
   EXPECT_EQ(names(graph, graph.rows[3].reads), (Names{kGBufferLane, "moments"}));  // its two parts are one
