@@ -123,9 +123,15 @@ class GlRenderer final : public Renderer {
     const std::optional<LocalScene> local = local_scene(scene);
     check_request(request);
     context_.make_current();
-    const auto run = make_run(local ? local->scene : scene, request, Use::rendered);
+    const auto run = make_run(local ? local->scene : scene, request, Use::inspected);
     if (run->plan.center_views.size() < 2) return std::nullopt;
     return map_indices(run->plan.center_views, run->picture->image);
+  }
+
+  std::vector<std::string> passes(const Scene& scene, const RenderRequest& request) {
+    check_request(request);
+    context_.make_current();
+    return drawn_passes(make_run(scene, request, Use::inspected)->plan);
   }
 
   std::vector<FinalShader> shaders(const Scene& scene, const RenderRequest& request) {
@@ -343,6 +349,10 @@ Image dump_resource(Renderer& renderer, const Scene& scene, const RenderRequest&
 
 std::optional<Image> map_indices(Renderer& renderer, const Scene& scene, const RenderRequest& request) {
   return gl_renderer_of<GlRenderer>(renderer).maps(scene, request);
+}
+
+std::vector<std::string> drawn_passes(Renderer& renderer, const Scene& scene, const RenderRequest& request) {
+  return gl_renderer_of<GlRenderer>(renderer).passes(scene, request);
 }
 
 std::vector<FinalShader> final_shaders(Renderer& renderer, const Scene& scene, const RenderRequest& request) {

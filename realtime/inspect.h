@@ -33,6 +33,9 @@ Image dump_resource(Renderer& renderer, const Scene& scene, const RenderRequest&
 /// Channel Y; absent for a run that looks into less than two maps.
 std::optional<Image> map_indices(Renderer& renderer, const Scene& scene, const RenderRequest& request);
 
+/// Ids of the manifest's passes that a run draws: those whose conditions hold with its parameters.
+std::vector<std::string> drawn_passes(Renderer& renderer, const Scene& scene, const RenderRequest& request);
+
 /// Passes so far of untimed frames of a renderer that keeps textures: drawn, and not drawn because a texture of an earlier
 /// frame holds what they would draw.
 struct PassCounts {

@@ -36,6 +36,7 @@ void draw(const DrawJob& job, Scene& scene, Renderer& renderer, DrawWorker::Desk
   if (job.wants_times) {
     run = renderer.prepare(scene, job.request, progress);
     drawing.frame = std::move(run.frame);
+    drawing.drawn = drawn_passes(renderer, scene, job.request);
   } else {
     drawing.frame = renderer.render(scene, job.request, progress);
   }

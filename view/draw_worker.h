@@ -42,6 +42,7 @@ struct Drawing {
   std::vector<std::string> passes;  // with times_ms: the medians; empty when not asked for
   std::vector<double> times_ms;
   std::string timer;
+  std::vector<std::string> drawn;  // ids of the manifest's passes, with wants_times
   std::optional<Image> resource;
   std::shared_ptr<const Image> maps;  // of realtime/inspect.h's map_indices(); null with less than two maps
 };

@@ -12,10 +12,13 @@ std::string lane_name(const std::string& resource) {
 
 class Builder {
  public:
-  Builder() { graph_.rows.push_back({kGBufferLane, {}, 0, false, {}, lanes_of({kGBufferLane})}); }
+  explicit Builder(const std::vector<std::string>& drawn) : drawn_(drawn) {
+    graph_.rows.push_back({kGBufferLane, {}, 0, false, {}, lanes_of({kGBufferLane})});
+  }
 
   void add(const std::vector<PassDeclaration>& passes, int depth) {
     for (const PassDeclaration& pass : passes) {
+      if (!is_drawn(pass)) continue;
       const bool is_loop = !pass.body.empty();
       GraphRow row{pass.id, pass.timer.empty() ? pass.id : pass.timer, depth, is_loop, {}, {}};
       row.reads = lanes_of(pass.reads);
@@ -38,6 +41,13 @@ class Builder {
   }
 
  private:
+  /// A loop is where one of its passes is.
+  bool is_drawn(const PassDeclaration& pass) const {
+    if (drawn_.empty()) return true;
+    if (pass.body.empty()) return std::ranges::find(drawn_, pass.id) != drawn_.end();
+    return std::ranges::any_of(pass.body, [&](const PassDeclaration& inner) { return is_drawn(inner); });
+  }
+
   /// Of the row that comes next; each once.
   std::vector<size_t> lanes_of(const std::vector<std::string>& resources) {
     const size_t row = graph_.rows.size();
@@ -56,13 +66,14 @@ class Builder {
     return lanes;
   }
 
+  const std::vector<std::string>& drawn_;
   FrameGraph graph_;
 };
 
 }  // namespace
 
-FrameGraph frame_graph(const std::vector<PassDeclaration>& passes) {
-  Builder builder;
+FrameGraph frame_graph(const std::vector<PassDeclaration>& passes, const std::vector<std::string>& drawn) {
+  Builder builder(drawn);
   builder.add(passes, 0);
   return builder.finish();
 }

@@ -31,6 +31,8 @@ struct FrameGraph {
   size_t columns = 0;
 };
 
-FrameGraph frame_graph(const std::vector<PassDeclaration>& passes);
+/// Of all passes, or of those alone that are `drawn` (ids; empty: all).
+FrameGraph frame_graph(const std::vector<PassDeclaration>& passes,
+                       const std::vector<std::string>& drawn = {});
 
 }  // namespace umbrameter

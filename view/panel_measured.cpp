@@ -39,14 +39,18 @@ void similarity_rows(const Score& score) {
             fmt::format("{:.4f}, {:.4f}", *score.similarity->flip_mean, *score.similarity->ssim));
 }
 
+std::string offset_text(double widths) {
+  if (std::abs(widths) < 0.005) return "where the true ones do";
+  return fmt::format("{:.2f} true widths too far {}", std::abs(widths), widths > 0.0 ? "out" : "in");
+}
+
 /// Of all penumbrae in the window: how wide and where they are, and whether they widen as the true ones do.
 void penumbra_rows(const Diagnosis& diagnosis) {
   const PenumbraNumbers& penumbra = diagnosis.penumbra;
   if (!penumbra.width_octaves) return panel_row("Penumbrae", "none that can be measured");
   panel_row("Penumbrae' widths", fmt::format("{:.2f} x the true ones, {} places",
                                              std::exp2(penumbra.width_octaves->median), penumbra.accepted()));
-  if (penumbra.offset_widths)
-    panel_row("  their edges lie", fmt::format("{:+.2f} widths off", penumbra.offset_widths->median));
+  if (penumbra.offset_widths) panel_row("  their edges lie", offset_text(penumbra.offset_widths->median));
   const ContactHardening& hardening = diagnosis.contact_hardening;
   panel_row("Contact hardening", hardening.slope ? fmt::format("{:.2f} (1: as the truth)", *hardening.slope)
                                                  : "too few widths to tell");
@@ -79,6 +83,11 @@ void error_rows(const Score& score, int truth_pass) {
 /// Pixel values that a plane has, "n/a" without it.
 std::string plane_text(const Image& image, const char* name, size_t i, const char* format) {
   return image.has(name) ? fmt::format(fmt::runtime(format), image.plane(name)[i]) : "n/a";
+}
+
+std::string fault_text(FaultClass fault) {
+  if (fault == FaultClass::unscored) return "not scored";
+  return fault == FaultClass::explained ? "none, or a slight one" : std::string(name_of(fault));
 }
 
 void probed_penumbra_rows(const Judged& judged, const glm::ivec2& cursor_px) {
@@ -123,10 +132,9 @@ void summary_panel(const ViewState& state, const Session& session) {
               fmt::format("{:.1f} pictures a second", 1.0 / mean_of_last(session.moving_intervals_s(), 20)));
   }
   const TruthPass* truth = session.truth(state);
-  panel_row("Truth", truth == nullptr
-                         ? std::string("not there yet")
-                         : fmt::format("pass {} of {}, se {:.4f} rms, {:.3f} max", truth->pass + 1,
-                                       truth->passes, truth->se_rms, truth->se_max));
+  panel_row("Truth", truth == nullptr ? std::string("not there yet")
+                                      : fmt::format("{} of {}, se {:.4f}, max {:.3f}", truth->pass + 1,
+                                                    truth->passes, truth->se_rms, truth->se_max));
   if (const Judged* judged = session.judged(state)) {
     error_rows(judged->score, judged->job.truth_pass);
   } else {
@@ -175,14 +183,19 @@ void probe_panel(const ViewState& state, const Session& session) {
   if (truth == nullptr) return;
   const Image& image = *truth->image;
   const float error = test->plane("visibility")[i] - image.plane("visibility")[i];
-  panel_row("  of the truth", fmt::format("{:.4f} +- {:.4f}, {:.0f} samples", image.plane("visibility")[i],
-                                          image.plane("visibility_se")[i], image.plane("sample_count")[i]));
+  const float samples = image.plane("sample_count")[i];
+  panel_row(
+      "  of the truth",
+      fmt::format("{:.4f} +- {:.4f}, {}", image.plane("visibility")[i], image.plane("visibility_se")[i],
+                  samples > 0.0f ? fmt::format("{:.0f} samples", samples) : std::string("without a ray")));
   panel_row("Error", fmt::format("{:+.4f}", error));
-  panel_row("Nearest blocker", plane_text(image, "blocker_distance_min", i, "{:.4g} world"));
+  const bool is_blocked = image.has("blocker_distance_min") && image.plane("blocker_distance_min")[i] > 0.0f;
+  if (image.has("blocker_distance_min"))
+    panel_row("Nearest blocker", is_blocked ? plane_text(image, "blocker_distance_min", i, "{:.4g} world")
+                                            : std::string("nothing blocks"));
   const Judged* judged = session.judged(state);
   if (judged == nullptr) return;
-  if (!judged->score.fault_classes.empty())
-    panel_row("Fault", std::string(name_of(judged->score.fault_classes[i])));
+  if (!judged->score.fault_classes.empty()) panel_row("Fault", fault_text(judged->score.fault_classes[i]));
   probed_penumbra_rows(*judged, px);
 }
 

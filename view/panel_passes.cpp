@@ -74,17 +74,16 @@ void pass_row(ViewState& state, const FrameGraph& graph, size_t index, const Dra
   ImGui::PushID(static_cast<int>(index));
   ImGui::SetCursorScreenPos({begin.x + gutter + indent, begin.y});
   const std::optional<double> time_ms = time_of(drawing, row.label);
-  const std::string text = time_ms       ? fmt::format("{}  {:.3f} ms", row.id, *time_ms)
-                           : row.is_loop ? row.id + ", again and again:"
-                                         : row.id;
-  const bool is_kept =
-      !time_ms && drawing != nullptr && !drawing->passes.empty() && !row.is_loop && index > 0;
-  ImGui::PushStyleVar(ImGuiStyleVar_Alpha, is_kept ? 0.5f : 1.0f);
-  ImGui::ProgressBar(static_cast<float>(time_ms.value_or(0.0) / std::max(all_ms, 1e-9)),
-                     {std::max(ImGui::GetContentRegionAvail().x, 60.0f), height},
-                     (is_kept ? text + ": not drawn" : text).c_str());
+  const std::string title = row.is_loop ? row.id + ", again and again:" : row.id,
+                    time = time_ms ? fmt::format("{:.3f} ms", *time_ms) : "";
+  const float width = std::max(ImGui::GetContentRegionAvail().x, 60.0f);
+  ImGui::ProgressBar(static_cast<float>(time_ms.value_or(0.0) / std::max(all_ms, 1e-9)), {width, height}, "");
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float text_y = begin.y + ImGui::GetStyle().FramePadding.y, left = begin.x + gutter + indent;
+  const ImU32 ink = ImGui::GetColorU32(ImGuiCol_Text);
+  list.AddText({left + 6.0f, text_y}, ink, title.c_str());
+  list.AddText({left + width - ImGui::CalcTextSize(time.c_str()).x - 6.0f, text_y}, ink, time.c_str());
   explain(graph, row);
-  ImGui::PopStyleVar();
   for (size_t k = 0; k < row.writes.size(); ++k) {
     const std::string& name = graph.lanes[row.writes[k]].resource;
     if (k == 0) ImGui::SetCursorScreenPos({begin.x + gutter + indent, ImGui::GetCursorScreenPos().y});
@@ -128,12 +127,15 @@ void passes_panel(ViewState& state, const Session& session) {
   double all_ms = 0.0;
   if (drawing != nullptr && !drawing->times_ms.empty()) {
     all_ms = std::accumulate(drawing->times_ms.begin(), drawing->times_ms.end(), 0.0);
-    panel_row("All passes", fmt::format("{:.3f} ms, {}", all_ms, drawing->timer));
+    panel_row("All passes", fmt::format("{:.3f} ms", all_ms));
+    panel_row("Timed by", drawing->timer);
     panel_row("Textures", fmt::format("{:.1f} MiB", double(drawing->frame.memory_bytes) / (1 << 20)));
   } else {
     panel_row("All passes", "timed when the camera rests");
   }
-  const FrameGraph graph = frame_graph(state.shown().passes);
+  const bool is_of_this = drawing != nullptr && drawing->job.run_version == state.run_version;
+  const FrameGraph graph =
+      frame_graph(state.shown().passes, is_of_this ? drawing->drawn : std::vector<std::string>());
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 3.0f});
   for (size_t row = 0; row < graph.rows.size(); ++row) pass_row(state, graph, row, drawing, all_ms);
   ImGui::PopStyleVar();

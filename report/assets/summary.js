@@ -66,9 +66,20 @@ function fillSkipped() {
   document.getElementById("skipped").append(skipped.length ? element("ul", {}, ...skipped.map(text => element("li", {}, text))) : element("p", {}, "Nothing was skipped."));
 }
 
+// What the page is of: runs against the truth, or what another command left alone.
+function pageTitle() {
+  const kAll = "Shadow techniques against the truth";
+  if (page.texts) return kAll;
+  const titles = [...page.regressions.map(check => `Regression: ${check.suite}`), ...page.benches.map(study => study.title || study.file),
+                  ...new Set(page.tunings.map(tuning => `${tuning.technique} tuned on ${tuning.scenes.join(", ")}`)), ...page.stresses.map(map => map.title)];
+  return titles.length === 1 ? titles[0] : kAll;
+}
+
 // Everything that results.json gives in words; the parts stay hidden without it.
 function fillTexts() {
-  document.getElementById("context").textContent = page.texts?.context ?? "No results.json here: numbers of other commands alone.";
+  document.getElementById("context").textContent = page.texts?.context ?? "";
+  document.getElementById("context").hidden = !page.texts;
+  document.title = document.querySelector("h1").textContent = pageTitle();
   for (const id of ["summary", "legend", "skipped"]) document.getElementById(id).hidden = !page.texts;
   if (!page.texts) return;
   fillSummary();

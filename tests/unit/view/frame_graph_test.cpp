@@ -41,6 +41,18 @@ TEST(FrameGraph, LanesRunFromTheFirstPassThatHasToDoWithATextureToTheLast) {
   EXPECT_EQ(graph.columns, 3u);
 }
 
+TEST(FrameGraph, PassesThatAreNotDrawnAndTheirTexturesAreLeftOut) {
+  PassDeclaration loop = pass("lights", {}, {});
+  loop.body = {pass("map", {}, {"shadow_map"}), pass("blur", {"shadow_map"}, {"moments"})};
+  const std::vector<PassDeclaration> passes{loop, pass("shade", {"shadow_map"}, {"visibility"})};
+  const FrameGraph some = frame_graph(passes, {"map", "shade"}), none = frame_graph(passes, {"shade"});
+  ASSERT_EQ(some.rows.size(), 4u);
+  EXPECT_EQ(some.rows[2].id, "map");
+  EXPECT_EQ(some.lanes.size(), 3u);
+  ASSERT_EQ(none.rows.size(), 2u);
+  EXPECT_EQ(none.rows[1].id, "shade");
+}
+
 TEST(FrameGraph, PassesOfALoopStandBelowItAndHaveTheTimerTheyAreSummedUnder) {
   PassDeclaration loop;
   loop.id = "lights";
