@@ -123,8 +123,8 @@ function sceneHead(scene, sceneIndex) {
   link.href = `#scene-${sceneIndex + 1}`;
   canvas.setAttribute("aria-hidden", "true");
   const entry = page.scenes[sceneIndex];
-  canvas.width = entry?.small?.width ?? 16;
-  canvas.height = entry?.small?.height ?? 9;
+  canvas.width = entry?.small?.width ?? 240;
+  canvas.height = entry?.small?.height ?? 135;
   link.append(canvas, breakable(scene.name));
   cell.append(link);
   return cell;

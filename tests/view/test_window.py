@@ -148,7 +148,7 @@ class WindowTest(unittest.TestCase):
                     "picture opened.png\npreset opened.preset.toml\nscene opened.toml\nopen fence\nopen plate\nwait full\nframes 1\n")
         self.assertIn("filter_taps = 32\n", (self.folder / "opened.preset.toml").read_text())  # what means the same there stays
         self.assert_same_pictures(self.folder / "opened.png", self.render("under_a_bulb", "pcss", "opened.preset.toml"))
-        self.assertIn('"under', (self.folder / "opened.toml").read_text().lower())
+        self.assertIn('title = "Bulb in a room"', (self.folder / "opened.toml").read_text())
 
     def test_scene_that_is_none_leaves_the_one_that_is_shown(self):
         (self.folder / "script.txt").write_text("wait full\nopen no_such_scene\n")
