@@ -10,7 +10,9 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "reference/reference.h"
+#include "report/report.h"
 #include "study/measured.h"
+#include "study/metadata.h"
 
 #include <fmt/format.h>
 
@@ -137,6 +139,15 @@ std::string json_of(const std::vector<BenchResults>& all, const BenchQueries& qu
   return "{\"studies\": [\n" + text + "\n]}\n";
 }
 
+/// The numbers beside the truths, and the page of all that lies there.
+void write_page(const std::filesystem::path& out, const std::filesystem::path& study,
+                const std::string& json) {
+  create_folder(out);
+  write_file_atomically(out / fmt::format("bench-{}.json", file_name_of(study.stem().string())), json);
+  write_report(out, out / "report.html");
+  print_note(fmt::format("wrote {}", (out / "report.html").string()));
+}
+
 int bench(const BenchOptions& options, const GlobalOptions& global) {
   const BenchQueries queries = choose_queries(options);
   if (options.no_reuse && global.out.empty())
@@ -173,6 +184,7 @@ int bench(const BenchOptions& options, const GlobalOptions& global) {
     write_file_atomically(truth_file->staged(), truth_csv(all.front()));
     truth_file->publish();
   }
+  if (!global.out.empty()) write_page(global.out, options.studies.front(), json_of(all, queries));
   if (global.json) print_answer(json_of(all, queries));
   return code;
 }
@@ -184,7 +196,7 @@ void add_bench(CLI::App& app, CommandLine& line) {
   CLI::App* verb =
       app.add_subcommand("bench",
                          "time a study's runs in turn, score them, and set them beside a paper's "
-                         "claims; with --out keeps truths there and reuses them");
+                         "claims; with --out keeps truths there, reuses them, and leaves a page");
   verb->fallthrough();
   verb->add_option("study", options->studies, "study files (docs/studies.md)")->required();
   add_light_option(*verb, line.global);

@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/version.h"
+#include "report/report.h"
 #include "study/stress/axes.h"
 #include "study/stress/output.h"
 #include "study/stress/suite_file.h"
@@ -103,9 +104,9 @@ StressResults measure(const StressOptions& options, const StressPlan& plan, cons
 
 void write_results(const StressResults& results, const std::filesystem::path& out) {
   write_file_atomically(out / "stress.json", stress_json(results));
-  write_file_atomically(out / "stress.html", stress_html(results));
   write_file_atomically(out / "stress.md", stress_markdown(results));
-  print_note(fmt::format("wrote {}", (out / "stress.html").string()));
+  write_report(out, out / "report.html");
+  print_note(fmt::format("wrote {}", (out / "report.html").string()));
 }
 
 int stress(const StressOptions& options, const GlobalOptions& global) {

@@ -124,7 +124,11 @@ int sweep(const SweepOptions& options, const GlobalOptions& global) {
       print_answer((loaded.qualities.size() > 1 ? quality_heading(quality) : "") + outcome_text(outcome));
     }
   }
-  if (global.json) print_json(of_qualities(loaded.qualities, std::move(all)));
+  if (global.json) {
+    print_json(of_qualities(loaded.qualities, std::move(all)));
+  } else {
+    print_note(fmt::format("its page: umbrameter report {}", global.out));
+  }
   return code;
 }
 

@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "realtime/manifest/activity.h"
+#include "report/report.h"
 #include "study/metadata.h"
 #include "study/tune/lengths.h"
 #include "study/tune/tune_files.h"
@@ -107,7 +108,9 @@ void write_results(const std::filesystem::path& out, const TunePlan& plan, const
   write_file_atomically(out / (stem + ".toml"), preset_toml(plan, result));
   write_file_atomically(out / (stem + "-engine.txt"), engine_block(plan, result));
   write_file_atomically(out / "tune.json", json);
-  print_note(fmt::format("wrote {}", (out / (stem + ".toml")).string()));
+  write_report(out, out / "report.html");
+  print_note(
+      fmt::format("wrote {} and {}", (out / (stem + ".toml")).string(), (out / "report.html").string()));
 }
 
 int tune(const TuneOptions& options, const GlobalOptions& global) {

@@ -10,6 +10,7 @@
 #endif
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -41,6 +42,13 @@ std::vector<ScriptStep> script_of(const ViewOptions& options) {
                                   : std::vector<ScriptStep>();
 }
 
+std::vector<SceneChoice> choices(const SceneSearch& search) {
+  std::vector<SceneChoice> all;
+  for (const SceneEntry& entry : list_scenes(search))
+    all.push_back({entry.name, entry.title, fmt::format("{}", fmt::join(entry.missing_assets, ", "))});
+  return all;
+}
+
 ViewSetup setup_of(const ViewOptions& options, const GlobalOptions& global) {
   const Home home = find_home();
   const SceneSearch search = scene_search(global, home);
@@ -58,6 +66,10 @@ ViewSetup setup_of(const ViewOptions& options, const GlobalOptions& global) {
   setup.technique = run.id;
   setup.parameters = run.parameters;
   setup.scene = load_scene(file, search);
+  setup.scenes = choices(search);
+  setup.load_scene = [search](const std::string& name) {
+    return load_scene(resolve_scene(name, search), search);
+  };
   if (!global.light.empty()) setup.scene.active_light = find_light(setup.scene.lights, global.light);
   setup.scene_name = scene_name(file, search);
   setup.open_renderer = [global, home] { return open_gl_renderer(global, home); };

@@ -119,6 +119,21 @@ class GlRenderer final : public Renderer {
     return read_layer(find_part(run->technique, *run->plan.targets, part), part.layer, part.level);
   }
 
+  std::optional<Image> maps(const Scene& scene, const RenderRequest& request) {
+    const std::optional<LocalScene> local = local_scene(scene);
+    check_request(request);
+    context_.make_current();
+    const auto run = make_run(local ? local->scene : scene, request, Use::inspected);
+    if (run->plan.center_views.size() < 2) return std::nullopt;
+    return map_indices(run->plan.center_views, run->picture->image);
+  }
+
+  std::vector<std::string> passes(const Scene& scene, const RenderRequest& request) {
+    check_request(request);
+    context_.make_current();
+    return drawn_passes(make_run(scene, request, Use::inspected)->plan);
+  }
+
   std::vector<FinalShader> shaders(const Scene& scene, const RenderRequest& request) {
     check_request(request);
     context_.make_current();
@@ -330,6 +345,14 @@ PassCounts pass_counts(const Renderer& renderer) {
 Image dump_resource(Renderer& renderer, const Scene& scene, const RenderRequest& request,
                     const ResourcePart& part, Progress& progress) {
   return gl_renderer_of<GlRenderer>(renderer).dump(scene, request, part, progress);
+}
+
+std::optional<Image> map_indices(Renderer& renderer, const Scene& scene, const RenderRequest& request) {
+  return gl_renderer_of<GlRenderer>(renderer).maps(scene, request);
+}
+
+std::vector<std::string> drawn_passes(Renderer& renderer, const Scene& scene, const RenderRequest& request) {
+  return gl_renderer_of<GlRenderer>(renderer).passes(scene, request);
 }
 
 std::vector<FinalShader> final_shaders(Renderer& renderer, const Scene& scene, const RenderRequest& request) {

@@ -6,6 +6,7 @@
 #include "core/renderer.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,6 +28,13 @@ ResourcePart parse_resource_part(std::string_view whole);
 /// that the resource does not. `renderer` is one of make_realtime_renderer().
 Image dump_resource(Renderer& renderer, const Scene& scene, const RenderRequest& request,
                     const ResourcePart& part, Progress& progress);
+
+/// The map of several (cascades, faces of a cube) that each visible point is looked up in, counted from 0; -1 for none.
+/// Channel Y; absent for a run that looks into less than two maps.
+std::optional<Image> map_indices(Renderer& renderer, const Scene& scene, const RenderRequest& request);
+
+/// Ids of the manifest's passes that a run draws: those whose conditions hold with its parameters.
+std::vector<std::string> drawn_passes(Renderer& renderer, const Scene& scene, const RenderRequest& request);
 
 /// Passes so far of untimed frames of a renderer that keeps textures: drawn, and not drawn because a texture of an earlier
 /// frame holds what they would draw.

@@ -20,13 +20,16 @@ namespace {
 /// Scripts in the order in which they need each other.
 std::string scripts() {
   std::string text;
-  for (const char* name : {"planes.js",         "noise.js",       "layers.js",        "lit.js",
-                           "viewer.js",         "viewer_draw.js", "viewer_values.js", "viewer_keys.js",
-                           "viewer_pointer.js", "figure.js",      "figure_save.js",   "profile.js",
-                           "histogram.js",      "charts.js",      "make_table.js",    "sweeps.js",
-                           "bench.js",          "bench_part.js",  "regress.js",       "stress_map.js",
-                           "stress.js",         "table.js",       "overview.js",      "front.js",
-                           "worst.js",          "summary.js",     "scene_section.js", "page.js"}) {
+  for (const char* name : {"planes.js",        "noise.js",       "layers.js",
+                           "lit.js",           "viewer.js",      "viewer_draw.js",
+                           "viewer_values.js", "viewer_keys.js", "viewer_pointer.js",
+                           "figure.js",        "figure_save.js", "profile.js",
+                           "histogram.js",     "charts.js",      "make_table.js",
+                           "sweeps.js",        "bench.js",       "bench_part.js",
+                           "regress.js",       "stress_map.js",  "stress.js",
+                           "table.js",         "metrics.js",     "overview.js",
+                           "front.js",         "worst.js",       "summary.js",
+                           "scene_section.js", "page.js"}) {
     text += report_asset(name);
   }
   return text;

@@ -16,6 +16,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr int kSmallWidth_px = 240;      // of the pictures at the head of the page, at least
+constexpr double kSmallSteps = 255.0;    // in which their planes are kept
 constexpr size_t kMostWidthPairs = 256;  // of a run; a plot of more is a blot
 
 /// Planes on their way into the store, with how to read them.
@@ -73,6 +75,51 @@ Parcel reference_parcel(const Image& reference, const SceneResult& scene,
     parcel.add("parity", bytes_of(read_parity_picture(folder / scene.parity->picture_file)));
   }
   return parcel;
+}
+
+/// Means over squares of `side` pixels, what does not fill one left out. `weight`: 0 for pixels that do not count.
+std::vector<float> block_means(std::span<const float> plane, std::span<const uint8_t> weight, int width,
+                               int height, int side) {
+  std::vector<float> means;
+  for (int y = 0; y + side <= height; y += side) {
+    for (int x = 0; x + side <= width; x += side) {
+      double sum = 0.0;
+      int count = 0;
+      for (int k = 0; k < side * side; ++k) {
+        const size_t i = static_cast<size_t>(y + k / side) * static_cast<size_t>(width) +
+                         static_cast<size_t>(x + k % side);
+        if (weight[i] == 0) continue;
+        sum += static_cast<double>(plane[i]);
+        ++count;
+      }
+      means.push_back(count > 0 ? static_cast<float>(sum / count) : 0.0f);
+    }
+  }
+  return means;
+}
+
+/// What a small lit picture is painted from, inside the page's data, so that it is there before the pixels are read.
+Json small_picture(const Image& reference) {
+  const int side = std::max(1, reference.width / kSmallWidth_px);
+  const std::vector<uint8_t> hit = hit_pixels(reference), all(hit.size(), 1);
+  const std::vector<float> solid(hit.begin(), hit.end());
+  const auto means = [&](std::span<const float> plane, const std::vector<uint8_t>& weight) {
+    return block_means(plane, weight, reference.width, reference.height, side);
+  };
+  Parcel parcel;
+  parcel.add("visibility", means(reference.plane("visibility"), hit), {0.0, 1.0 / kSmallSteps, true});
+  std::vector<uint8_t> is_solid;
+  for (const float share : means(solid, all)) is_solid.push_back(share >= 0.5f ? 1 : 0);
+  parcel.add("hit", is_solid);
+  if (reference.has("unshadowed_irradiance")) {
+    const std::vector<float> light = means(reference.plane("unshadowed_irradiance"), hit);
+    const float largest = light.empty() ? 0.0f : *std::ranges::max_element(light);
+    parcel.add("unshadowed", light, {0.0, largest > 0.0f ? largest / kSmallSteps : 1.0, true});
+  }
+  return {{"width", reference.width / side},
+          {"height", reference.height / side},
+          {"planes", parcel.codes},
+          {"packed", parcel.planes}};
 }
 
 /// Evenly picked from those sorted by width.
@@ -133,6 +180,7 @@ Json add_scene_planes(const SceneResult& scene, size_t scene_index, const std::f
           {"width", reference.width},
           {"height", reference.height},
           {"planes", parcel.codes},
+          {"small", small_picture(reference)},
           {"runs", runs}};
 }
 

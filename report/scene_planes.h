@@ -12,9 +12,9 @@
 namespace umbrameter {
 
 /// Packs the scene's reference and runs into `store` under the ids `s<scene>` and `s<scene>-r<run>`, counted from 0.
-/// Returns {id, width, height, planes, runs}; `planes` is name -> {low, step, delta} or {bytes: true}, and a run is null
-/// when it left no picture, else {id, planes, widths, profiles}. Null without a reference. Error{input} when a file that the
-/// results name is missing.
+/// Returns {id, width, height, planes, small, runs}; `planes` is name -> {low, step, delta} or {bytes: true}, `small` the
+/// picture at the head of the page with its planes inside, and a run is null when it left no picture, else {id, planes,
+/// widths, profiles}. Null without a reference. Error{input} when a file that the results name is missing.
 nlohmann::ordered_json add_scene_planes(const SceneResult& scene, size_t scene_index,
                                         const std::filesystem::path& folder, PlaneStore& store);
 

@@ -33,14 +33,8 @@ dvec3 read_direction(TomlReader& reader, const Light& light) {
   return (at - light.center_world) / distance;
 }
 
-dvec3 derive_tangent(const dvec3& direction) {
-  const dvec3 horizontal = glm::cross(direction, dvec3(0, 1, 0));
-  if (glm::length(horizontal) > kVerticalSine) return horizontal;
-  return dvec3(1, 0, 0) - direction * direction.x;
-}
-
 dvec3 read_tangent(TomlReader& reader, const dvec3& direction) {
-  if (!reader.has("tangent")) return glm::normalize(derive_tangent(direction));
+  if (!reader.has("tangent")) return default_tangent(direction);
   const dvec3 wanted = read_unit_vector(reader, "tangent");
   const dvec3 tangent = wanted - direction * glm::dot(wanted, direction);
   if (glm::length(tangent) > kMinSine) return glm::normalize(tangent);
@@ -56,6 +50,13 @@ double read_half_angle_rad(TomlReader& reader) {
 }
 
 }  // namespace
+
+dvec3 default_tangent(const dvec3& direction_world) {
+  const dvec3 horizontal = glm::cross(direction_world, dvec3(0, 1, 0));
+  return glm::normalize(glm::length(horizontal) > kVerticalSine
+                            ? horizontal
+                            : dvec3(1, 0, 0) - direction_world * direction_world.x);
+}
 
 Light read_light(const TomlNode& table) {
   TomlReader reader(table, "[[light]]");

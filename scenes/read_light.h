@@ -12,4 +12,7 @@ namespace umbrameter {
 /// direction, or with a tangent along its direction.
 Light read_light(const TomlNode& table);
 
+/// The x axis of a light that has no `tangent`; unit. `direction_world` must be unit.
+glm::dvec3 default_tangent(const glm::dvec3& direction_world);
+
 }  // namespace umbrameter

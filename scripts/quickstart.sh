@@ -11,7 +11,7 @@ progress() { awk -v phase="$1" -f scripts/quickstart_progress.awk >&2; }
 
 phase 1 "packages (scripts/packages.txt, those that the program needs)"
 bash scripts/install_packages.sh --program
-phase 2 "configuring"
+phase 2 "configuring (some seconds)"
 export CCACHE_SLOPPINESS=pch_defines,time_macros
 launcher=()
 command -v ccache >/dev/null && launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)

@@ -2,9 +2,10 @@
 #include "view/camera_path.h"
 
 #include "core/toml.h"
+#include "core/toml_text.h"
 #include "scenes/read_camera.h"
+#include "scenes/scene_text.h"
 #include "view/camera_control.h"
-#include "view/scene_text.h"
 
 #include <algorithm>
 

@@ -36,11 +36,16 @@ void draw(const DrawJob& job, Scene& scene, Renderer& renderer, DrawWorker::Desk
   if (job.wants_times) {
     run = renderer.prepare(scene, job.request, progress);
     drawing.frame = std::move(run.frame);
+    drawing.drawn = drawn_passes(renderer, scene, job.request);
   } else {
     drawing.frame = renderer.render(scene, job.request, progress);
   }
   drawing.wall_time_s = seconds_since(start);
   if (job.resource) drawing.resource = dump_resource(renderer, scene, job.request, *job.resource, progress);
+  if (job.wants_maps) {
+    if (auto maps = map_indices(renderer, scene, job.request))
+      drawing.maps = std::make_shared<const Image>(std::move(*maps));
+  }
   desk.publish(drawing);
   if (!job.wants_times) return;
   time_passes(run, desk, drawing);

@@ -31,6 +31,7 @@ struct DrawJob {
   RenderRequest request;     // its size may be less than the place's
   uint64_t run_version = 0;  // of technique, parameters and shader files
   bool wants_times = false;  // of each pass, over a few frames
+  bool wants_maps = false;   // which map each pixel is looked up in
   std::optional<ResourcePart> resource;
 };
 
@@ -41,7 +42,9 @@ struct Drawing {
   std::vector<std::string> passes;  // with times_ms: the medians; empty when not asked for
   std::vector<double> times_ms;
   std::string timer;
+  std::vector<std::string> drawn;  // ids of the manifest's passes, with wants_times
   std::optional<Image> resource;
+  std::shared_ptr<const Image> maps;  // of realtime/inspect.h's map_indices(); null with less than two maps
 };
 
 using DrawWorker = LatestWorker<DrawJob, Drawing>;

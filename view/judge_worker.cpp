@@ -19,6 +19,9 @@ void judge(const JudgeJob& job, JudgeWorker::Desk& desk) {
     judged.score.fault_classes = std::move(diagnosed.classes);
     judged.profiles = std::move(diagnosed.profiles);
   });
+  desk.publish(judged);
+  if (desk.is_stale()) return;
+  judged.score.similarity = measure_similarity(*job.test, *job.truth, judged.score.mask);
   desk.publish(std::move(judged));
 }
 

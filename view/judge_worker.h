@@ -17,7 +17,7 @@ struct JudgeJob {
 
 struct Judged {
   JudgeJob job;
-  Score score;                            // faults from kFirstProbedPass on
+  Score score;                            // faults, then similarity, from kFirstProbedPass on
   std::vector<PenumbraProfile> profiles;  // likewise, of the same pair
 };
 

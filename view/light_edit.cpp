@@ -2,6 +2,7 @@
 #include "view/light_edit.h"
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
 #include <glm/trigonometric.hpp>
 
 #include <algorithm>
@@ -34,6 +35,14 @@ Light facing(Light light, const dvec3& direction_world) {
 Light at_camera(Light light, const Camera& camera) {
   if (light.type != LightType::sun) light.center_world = camera.eye_world;
   return facing(std::move(light), camera.at_world - camera.eye_world);
+}
+
+Light swung(Light light, const Camera& camera, double yaw_rad, double pitch_rad) {
+  const dvec3 right = glm::cross(camera.at_world - camera.eye_world, camera.up_world);
+  const glm::dquat turn =
+      glm::angleAxis(yaw_rad, camera.up_world) * glm::angleAxis(-pitch_rad, glm::normalize(right));
+  light.center_world = camera.at_world + turn * (light.center_world - camera.at_world);
+  return facing(std::move(light), turn * light.direction_world);
 }
 
 Light resized(Light light, double factor) {

@@ -75,6 +75,9 @@ void LiveView::on_key(int key, int action, int mods) {
     case GLFW_KEY_N:
       show(Layer::normals);
       break;
+    case GLFW_KEY_C:
+      show(Layer::maps);
+      break;
     case GLFW_KEY_T:
       state_.paint.has_edges = !state_.paint.has_edges;
       break;
@@ -143,7 +146,10 @@ void LiveView::on_move(double x, double y) {
   const double yaw_rad = across * kRadiansPerPixel, pitch_rad = -down * kRadiansPerPixel;
   switch (*dragging_) {
     case GLFW_MOUSE_BUTTON_LEFT:
-      set_camera(state_, orbited(state_.camera, yaw_rad, pitch_rad));
+      if (held_.contains(GLFW_KEY_LEFT_SHIFT))
+        set_light(state_, swung(state_.shown_light(), state_.camera, yaw_rad, pitch_rad));
+      else
+        set_camera(state_, orbited(state_.camera, yaw_rad, pitch_rad));
       break;
     case GLFW_MOUSE_BUTTON_RIGHT:
       set_camera(state_, looked_around(state_.camera, yaw_rad, pitch_rad));
@@ -161,6 +167,10 @@ void LiveView::on_move(double x, double y) {
 
 void LiveView::on_scroll(double steps) {
   set_camera(state_, dollied(state_.camera, std::pow(kDollyPerStep, steps)));
+}
+
+void LiveView::on_drop(const std::string& file) {
+  open_scene(file);
 }
 
 void LiveView::move_by_keys(double seconds) {

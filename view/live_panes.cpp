@@ -49,6 +49,26 @@ void draw_error_scale(float left, float bottom, double scale) {
   list.AddText(ImGui::GetFont(), small, {left + 8 + width - size.x, top + 17}, kInk, bright.c_str());
 }
 
+/// Which colour is which map.
+void draw_map_legend(float left, float bottom, const Drawing* drawing) {
+  if (drawing == nullptr || !drawing->job.wants_maps) return;
+  if (!drawing->maps) {
+    draw_label(left, bottom - 26, "one map for the whole picture");
+    return;
+  }
+  const auto index = drawing->maps->plane("Y");
+  const int most = index.empty() ? -1 : static_cast<int>(*std::ranges::max_element(index));
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const char* title = "maps by their number";
+  draw_label(left, bottom - 26, title);
+  float x = left + ImGui::CalcTextSize(title).x + 18;
+  for (int map = 0; map <= most; ++map, x += 26) {
+    list.AddRectFilled({x, bottom - 26}, {x + 24, bottom}, packed(map_colour(static_cast<size_t>(map))),
+                       3.0f);
+    list.AddText({x + 8, bottom - 21}, IM_COL32(0, 0, 0, 255), std::to_string(map).c_str());
+  }
+}
+
 }  // namespace
 
 void LiveView::lay_out() {
@@ -59,12 +79,14 @@ void LiveView::lay_out() {
 }
 
 PaintInputs LiveView::inputs_of(const Image& image) const {
-  PaintInputs inputs{image, nullptr, {}, {}};
-  const TruthPass* truth = session_.truth(state_);
+  PaintInputs inputs{image, nullptr, {}, {}, nullptr};
+  const Drawing* drawing = session_->drawing();
+  if (drawing != nullptr && &image == session_->test().get()) inputs.maps = drawing->maps.get();
+  const TruthPass* truth = session_->truth(state_);
   if (truth == nullptr || truth->image->width != image.width || truth->image->height != image.height)
     return inputs;
   inputs.truth = truth->image.get();
-  if (const Judged* judged = session_.judged(state_); judged != nullptr && session_.is_full(state_)) {
+  if (const Judged* judged = session_->judged(state_); judged != nullptr && session_->is_full(state_)) {
     inputs.scored = judged->score.mask;
     inputs.faults = judged->score.fault_classes;
   }
@@ -72,29 +94,31 @@ PaintInputs LiveView::inputs_of(const Image& image) const {
 }
 
 void LiveView::repaint() {
-  const std::shared_ptr<const Image> test = session_.test();
+  const std::shared_ptr<const Image> test = session_->test();
   if (!test) return;
-  const TruthPass* truth = session_.truth(state_);
-  const Judged* judged = session_.judged(state_);
+  const TruthPass* truth = session_->truth(state_);
+  const Judged* judged = session_->judged(state_);
+  const Drawing* drawing = session_->drawing();
   const std::string wanted =
-      fmt::format("{} {} {} {} {} {} {} {} {} {}", static_cast<const void*>(test.get()),
+      fmt::format("{} {} {} {} {} {} {} {} {} {} {}", static_cast<const void*>(test.get()),
                   truth ? static_cast<const void*>(truth->image.get()) : nullptr,
-                  judged ? judged->job.truth_pass : -1, judged ? judged->profiles.size() : 0,
-                  static_cast<int>(state_.layer), state_.paint.exposure_stops, state_.paint.error_scale,
-                  state_.paint.has_edges, session_.is_full(state_), static_cast<int>(state_.layout));
+                  static_cast<const void*>(drawing->maps.get()), judged ? judged->job.truth_pass : -1,
+                  judged ? judged->profiles.size() : 0, static_cast<int>(state_.layer),
+                  state_.paint.exposure_stops, state_.paint.error_scale, state_.paint.has_edges,
+                  session_->is_full(state_), static_cast<int>(state_.layout));
   if (wanted == painted_) return;
   painted_ = wanted;
-  if (session_.is_full(state_) || state_.paint.white_irradiance == 1.0)
+  if (session_->is_full(state_) || state_.paint.white_irradiance == 1.0)
     state_.paint.white_irradiance = white_irradiance(*test);
   test_picture_ = paint(state_.layer, inputs_of(*test), state_.paint);
   test_texture_.set(test_picture_, test->width < state_.width_px);
   if (truth != nullptr) {
-    const bool is_of_both = state_.layer == Layer::error || state_.layer == Layer::faults;
+    const bool is_of_both =
+        state_.layer == Layer::error || state_.layer == Layer::faults || state_.layer == Layer::maps;
     truth_picture_ = paint(is_of_both ? Layer::lit : state_.layer, inputs_of(*truth->image), state_.paint);
     truth_texture_.set(truth_picture_, false);
   }
-  const Drawing* drawing = session_.drawing();
-  if (state_.layout != Layout::resource || drawing == nullptr || !drawing->resource) return;
+  if (state_.layout != Layout::resource || !drawing->resource) return;
   const ResourcePicture resource = paint_resource(*drawing->resource);
   resource_texture_.set(resource.picture, false);
   resource_min_ = resource.min;
@@ -121,8 +145,8 @@ void LiveView::draw_pane(const Pane& pane, PictureTexture& texture, const char* 
 
 void LiveView::draw_panes() {
   shown_.clear();
-  const bool has_truth = session_.truth(state_) != nullptr;
-  const std::string test = test_label(state_, session_), truth = truth_label(state_, session_);
+  const bool has_truth = session_->truth(state_) != nullptr;
+  const std::string test = test_label(state_, *session_), truth = truth_label(state_, *session_);
   const auto split = static_cast<float>(state_.split);
   const float half = std::floor(area_.width / 2);
   const Pane left{area_.left, area_.top, half - 1, area_.height},
@@ -163,11 +187,15 @@ void LiveView::draw_notes() {
   float bottom = area_.top + area_.height - kLabelGap_px;
   if (state_.layer == Layer::error && state_.layout != Layout::truth && state_.layout != Layout::resource)
     draw_error_scale(area_.left + kLabelGap_px, bottom, state_.paint.error_scale);
-  if (!session_.problem().empty())
-    draw_label(area_.left + kLabelGap_px, area_.top + 44, session_.problem(), kProblem, area_.width - 40);
-  if (Clock::now() < note_until_) {
-    const float width = ImGui::CalcTextSize(note_.c_str()).x + 14;
-    draw_label(area_.left + std::max((area_.width - width) / 2, kLabelGap_px), bottom - 30, note_);
+  if (state_.layer == Layer::maps && state_.layout != Layout::truth && state_.layout != Layout::resource)
+    draw_map_legend(area_.left + kLabelGap_px, bottom, session_->drawing());
+  if (!session_->problem().empty())
+    draw_label(area_.left + kLabelGap_px, area_.top + 44, session_->problem(), kProblem, area_.width - 40);
+  const bool is_opening = !opening_.empty();
+  if (is_opening || Clock::now() < note_until_) {
+    const std::string note = is_opening ? "reading " + opening_ : note_;
+    const float width = ImGui::CalcTextSize(note.c_str()).x + 14;
+    draw_label(area_.left + std::max((area_.width - width) / 2, kLabelGap_px), bottom - 30, note);
   }
   if (has_help_) help_overlay(area_.width, area_.height);
 }
@@ -179,15 +207,20 @@ void LiveView::draw_panel() {
                                       ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                                       ImGuiWindowFlags_NoBringToFrontOnFocus;
   ImGui::Begin("panel", nullptr, kFlags);
+  if (const std::optional<size_t> only = std::exchange(only_section_, std::nullopt)) {
+    for (size_t i = 0; i < kSections; ++i)
+      ImGui::GetStateStorage()->SetInt(ImGui::GetID(heading_of(static_cast<Section>(i))), i == *only ? 1 : 0);
+  }
   const size_t technique = state_.technique;
-  summary_panel(state_, session_);
+  if (const std::optional<std::string> wanted = scene_menu(setup_, opening_)) open_scene(*wanted);
+  summary_panel(state_, *session_);
   technique_panel(state_);
-  view_panel(state_, session_);
+  view_panel(state_, *session_);
   light_panel(state_);
   camera_panel(state_, fly_speed_world_);
-  probe_panel(state_, session_);
-  faults_panel(state_, session_);
-  passes_panel(state_, session_);
+  probe_panel(state_, *session_);
+  faults_panel(state_, *session_);
+  passes_panel(state_, *session_);
   if (const std::optional<Saved> wanted = save_panel(path_.size())) saves_.push_back({*wanted, {}});
   ImGui::End();
   if (state_.technique != technique) ++switches_;

@@ -40,7 +40,7 @@ std::string_view ending_of(Saved what) {
 
 /// Those that can be done now: a picture waits until it is the one of what is chosen.
 std::vector<SaveRequest> LiveView::take_saves() {
-  const bool is_full = session_.is_full(state_) || session_.has_failed(state_);
+  const bool is_full = session_->is_full(state_) || session_->has_failed(state_);
   std::vector<SaveRequest> now, later;
   for (SaveRequest& request : saves_)
     (request.what != Saved::picture || is_full ? now : later).push_back(std::move(request));

@@ -31,6 +31,24 @@ ViewState first_state(const ViewSetup& setup) {
   return state;
 }
 
+/// Those of `values` that mean the same in another scene and are not the default.
+ParameterValues portable(const Technique& technique, const ParameterValues& values) {
+  ParameterValues kept;
+  for (const Parameter& parameter : technique.parameters) {
+    const ParameterValue& value = values.at(parameter.name);
+    if (!parameter.is_relative_to_scene && value != parameter.default_value) kept[parameter.name] = value;
+  }
+  return kept;
+}
+
+/// The technique where the light lets it, else the first that does.
+const Technique& fitting(const std::vector<Technique>& techniques, const Technique& wanted, LightType light) {
+  if (wanted.supports(light)) return wanted;
+  const auto found =
+      std::ranges::find_if(techniques, [&](const Technique& technique) { return technique.supports(light); });
+  return found == techniques.end() ? wanted : *found;
+}
+
 }  // namespace
 
 double resident_mib() {
@@ -44,7 +62,8 @@ LiveView::LiveView(ViewSetup setup)
     : setup_(std::move(setup)),
       state_(first_state(setup_)),
       window_(setup_.width_px + kPanelWidth_px, setup_.height_px, "Umbrameter: " + setup_.scene_name, *this),
-      session_(setup_, Window::wake),
+      session_(std::make_unique<Session>(setup_, Window::wake)),
+      scenes_([load = setup_.load_scene] { return open_loading(load); }, Window::wake),
       files_({setup_.techniques_folder, setup_.shaders_folder, state_.shown().folder}),
       fly_speed_world_(0.1 * state_.diagonal_world) {}
 
@@ -65,14 +84,15 @@ ViewReport LiveView::run() {
 
 double LiveView::frame_wait_s() const {
   if (!held_.empty() || playing_s_) return 0.008;
-  return session_.is_working() || session_.is_moving() ? kBusyWait_s : kIdleWait_s;
+  return session_->is_working() || scenes_.is_busy() || session_->is_moving() ? kBusyWait_s : kIdleWait_s;
 }
 
 void LiveView::frame(double wait_s) {
   window_.begin_frame(wait_s);
+  take_scene();
   lay_out();
-  session_.update(state_);
-  const TruthPass* truth = session_.truth(state_);
+  session_->update(state_);
+  const TruthPass* truth = session_->truth(state_);
   if (truth != nullptr && truth->promised_se <= kWantedSe && truth_place_version_ != state_.place_version) {
     truth_s_ = truth->wall_time_s;
     truth_place_version_ = state_.place_version;
@@ -85,6 +105,48 @@ void LiveView::frame(double wait_s) {
   const std::vector<SaveRequest> saves = take_saves();
   window_.end_frame(saves.empty() ? nullptr : &window);
   for (const SaveRequest& request : saves) save(request, window);
+}
+
+void LiveView::open_scene(const std::string& name) {
+  opening_ = name;
+  scenes_.ask(name);
+}
+
+void LiveView::take_scene() {
+  const std::optional<LoadedScene> loaded = scenes_.take();
+  if (!loaded) return;
+  opening_.clear();
+  if (loaded->scene) return show_scene(*loaded);
+  if (!setup_.script.empty()) fail_input(loaded->problem);
+  say(loaded->problem);
+}
+
+/// What was chosen stays as far as it means the same there. The threads of the scene before end behind the window's back.
+void LiveView::show_scene(const LoadedScene& loaded) {
+  const ViewState before = state_;
+  setup_.scene = *loaded.scene;
+  setup_.scene_name = loaded.name;
+  const Technique& technique = fitting(before.techniques, before.shown(), setup_.scene.light().type);
+  setup_.technique = technique.id;
+  setup_.parameters =
+      technique.id == before.shown().id ? portable(technique, before.shown_values()) : ParameterValues();
+  setup_.techniques = before.techniques;
+  state_ = first_state(setup_);
+  state_.layout = before.layout;
+  state_.layer = before.layer;
+  state_.split = before.split;
+  state_.paint = before.paint;
+  state_.paint.white_irradiance = PaintSettings().white_irradiance;
+  fly_speed_world_ = 0.1 * state_.diagonal_world;
+  path_.clear();
+  is_recording_ = false;
+  playing_s_.reset();
+  saves_.clear();
+  painted_.clear();
+  truth_place_version_ = 0;
+  closing_ = std::async(std::launch::async, [old = std::move(session_)]() mutable { old.reset(); });
+  session_ = std::make_unique<Session>(setup_, Window::wake);
+  window_.set_title("Umbrameter: " + setup_.scene_name);
 }
 
 void LiveView::watch_files() {
@@ -107,20 +169,20 @@ void LiveView::watch_files() {
 
 ViewReport LiveView::report() const {
   ViewReport report;
-  if (const Drawing* drawing = session_.drawing()) report.device = drawing->frame.device;
-  const auto& intervals_s = session_.moving_intervals_s();
+  if (const Drawing* drawing = session_->drawing()) report.device = drawing->frame.device;
+  const auto& intervals_s = session_->moving_intervals_s();
   report.moving_frames = static_cast<int>(intervals_s.size());
   double sum_s = 0.0;
   for (const double interval_s : intervals_s) sum_s += interval_s;
   if (sum_s > 0.0) report.moving_fps = static_cast<double>(intervals_s.size()) / sum_s;
-  if (session_.full_frame_s() > 0.0) report.full_frame_s = session_.full_frame_s();
+  if (session_->full_frame_s() > 0.0) report.full_frame_s = session_->full_frame_s();
   if (truth_place_version_ == state_.place_version) report.truth_s = truth_s_;
-  if (const TruthPass* truth = session_.truth(state_))
+  if (const TruthPass* truth = session_->truth(state_))
     report.truth_se_rms = truth->se_rms, report.truth_se_max = truth->se_max;
-  const Judged* judged = session_.judged(state_);
+  const Judged* judged = session_->judged(state_);
   if (judged != nullptr && judged->score.error && judged->score.error->rmse)
     report.rmse = judged->score.error->rmse->value;
-  report.problem = session_.problem();
+  report.problem = session_->problem();
   report.switches = switches_;
   report.memory_first_mib = memory_first_mib_;
   report.memory_last_mib = resident_mib();

@@ -4,11 +4,13 @@
 
 #include "view/camera_path.h"
 #include "view/file_watch.h"
+#include "view/scene_worker.h"
 #include "view/session.h"
 #include "view/view.h"
 #include "view/window.h"
 
 #include <array>
+#include <future>
 #include <set>
 
 namespace umbrameter {
@@ -30,6 +32,7 @@ class LiveView final : public WindowEvents {
   void on_button(int button, int action, double x, double y) override;
   void on_move(double x, double y) override;
   void on_scroll(double steps) override;
+  void on_drop(const std::string& file) override;
 
  private:
   friend class ScriptRun;
@@ -41,6 +44,9 @@ class LiveView final : public WindowEvents {
   void move_by_keys(double seconds);
   void follow_path(double seconds);
   void watch_files();
+  void open_scene(const std::string& name);
+  void take_scene();
+  void show_scene(const LoadedScene& loaded);
   void repaint();
   void lay_out();
   void draw_panes();
@@ -59,7 +65,10 @@ class LiveView final : public WindowEvents {
   ViewSetup setup_;
   ViewState state_;
   Window window_;
-  Session session_;  // after the window, which its threads wake
+  std::future<void> closing_;  // of the session before; both after the window, which its threads wake
+  std::unique_ptr<Session> session_;
+  SceneWorker scenes_;
+  std::string opening_;  // the scene that is being read
   FileWatch files_;
   PictureTexture test_texture_, truth_texture_, resource_texture_;
   Picture test_picture_, truth_picture_;
@@ -72,7 +81,8 @@ class LiveView final : public WindowEvents {
   double last_x_ = 0.0, last_y_ = 0.0;
   double fly_speed_world_ = 1.0;  // a second
   bool has_panel_ = true, has_help_ = false;
-  Pane area_;  // of the pictures
+  std::optional<size_t> only_section_;  // to be unfolded, the others folded
+  Pane area_;                           // of the pictures
   std::vector<SaveRequest> saves_;
   std::vector<CameraKey> path_;
   bool is_recording_ = false;

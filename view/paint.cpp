@@ -2,6 +2,7 @@
 #include "view/paint.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -12,6 +13,7 @@ constexpr double kFull = 0.85;     // of white: fully lit at the white irradianc
 constexpr double kAmbient = 0.05;  // of white: so that shapes in shadow can be told apart
 constexpr double kSeScale = 0.05;  // standard error at white
 constexpr double kPale = 0.35;     // of a picture that only stands in for another
+constexpr double kMapInk = 0.45;   // of a map's colour over the picture
 constexpr Rgb8 kBackdrop{92, 104, 122};
 constexpr Rgb8 kEdge{20, 24, 32};
 constexpr Rgb8 kNotFinite{255, 0, 255};
@@ -93,6 +95,16 @@ Picture normals(const Image& image) {
   return painted(image, kBackdrop, [&](size_t i) { return Rgb8{level(x[i]), level(y[i]), level(z[i])}; });
 }
 
+/// The lit picture under the colour of the map that each pixel is looked up in; uncoloured where there is none.
+Picture maps(const PaintInputs& inputs, const PaintSettings& settings) {
+  const Picture below = lit(inputs.image, settings);
+  const auto index = inputs.maps->plane("Y");
+  return painted(inputs.image, kBackdrop, [&](size_t i) {
+    const Rgb8 plain{below.rgb[3 * i], below.rgb[3 * i + 1], below.rgb[3 * i + 2]};
+    return index[i] < 0.0f ? plain : mixed(plain, map_colour(static_cast<size_t>(index[i])), kMapInk);
+  });
+}
+
 /// Darkens pixels whose right or lower neighbour shows another triangle.
 void add_edges(const Image& image, Picture& picture) {
   const auto primitive = image.plane("primitive_id");
@@ -126,6 +138,8 @@ Picture paint_plain(Layer layer, const PaintInputs& inputs, const PaintSettings&
     }
     case Layer::normals:
       return normals(image);
+    case Layer::maps:
+      return inputs.maps == nullptr ? lit(image, settings) : maps(inputs, settings);
     case Layer::irradiance: {
       const auto irradiance = image.plane("unshadowed_irradiance");
       return painted(image, kBackdrop, [&](size_t i) {
@@ -139,14 +153,27 @@ Picture paint_plain(Layer layer, const PaintInputs& inputs, const PaintSettings&
 }  // namespace
 
 std::string_view title_of(Layer layer) {
-  constexpr std::array<std::string_view, kLayers> kTitles{
-      "Lit",     "Visibility",           "Signed error", "Faults", "Standard error of the truth",
-      "Normals", "Unshadowed irradiance"};
+  constexpr std::array<std::string_view, kLayers> kTitles{"Lit",
+                                                          "Visibility",
+                                                          "Signed error",
+                                                          "Faults",
+                                                          "Standard error of the truth",
+                                                          "Normals",
+                                                          "Unshadowed irradiance",
+                                                          "Maps"};
   return kTitles.at(static_cast<size_t>(layer));
 }
 
 bool needs_truth(Layer layer) {
   return layer == Layer::error || layer == Layer::faults || layer == Layer::standard_error;
+}
+
+const Rgb8& map_colour(size_t map) {
+  constexpr size_t kColours = 8;
+  static constexpr std::array<Rgb8, kColours> kOkabeIto{
+      Rgb8{230, 159, 0}, Rgb8{86, 180, 233}, Rgb8{0, 158, 115},   Rgb8{240, 228, 66},
+      Rgb8{0, 114, 178}, Rgb8{213, 94, 0},   Rgb8{204, 121, 167}, Rgb8{187, 187, 187}};
+  return kOkabeIto[map % kColours];
 }
 
 Picture paint(Layer layer, const PaintInputs& inputs, const PaintSettings& settings) {

@@ -13,8 +13,8 @@
 
 namespace umbrameter {
 
-enum class Layer : uint8_t { lit, visibility, error, faults, standard_error, normals, irradiance };
-inline constexpr size_t kLayers = 7;
+enum class Layer : uint8_t { lit, visibility, error, faults, standard_error, normals, irradiance, maps };
+inline constexpr size_t kLayers = 8;
 std::string_view title_of(Layer layer);
 
 /// Whether the layer is of a technique's picture and the truth together.
@@ -33,10 +33,15 @@ struct PaintInputs {
   const Image* truth = nullptr;        // of the same size; absent: nothing to compare with yet
   std::span<const uint8_t> scored;     // with `truth`: empty = not known yet, all surfaces count
   std::span<const FaultClass> faults;  // empty = not told apart yet
+  const Image* maps = nullptr;         // of map_indices() (realtime/inspect.h), of the same size
 };
 
 /// What `layer` shows. Where something is missing (no truth, no faults yet) the lit picture, pale.
 Picture paint(Layer layer, const PaintInputs& inputs, const PaintSettings& settings);
+
+/// Of a cascade or a face of a cube, by its number; they repeat after eight. Okabe and Ito's, which colour-blind people
+/// can tell apart.
+const Rgb8& map_colour(size_t map);
 
 /// The 98th percentile of unshadowed irradiance over lit surfaces; 1 where nothing is lit.
 double white_irradiance(const Image& image);

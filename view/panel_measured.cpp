@@ -1,24 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// What was measured: labels, summary, faults, the probe under the cursor, passes.
+// What was measured: labels, summary, faults, the probe under the cursor.
 
+#include "study/results.h"
+#include "view/panel_row.h"
 #include "view/panels.h"
 
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace umbrameter {
 namespace {
-
-const ImVec4 kQuiet{0.59f, 0.62f, 0.67f, 1.0f};
-
-/// "name   value", the values in one column.
-void row(const char* name, const std::string& value) {
-  ImGui::TextColored(kQuiet, "%s", name);
-  ImGui::SameLine(170.0f);
-  ImGui::TextUnformatted(value.c_str());
-}
 
 ImVec4 colour_of(const Rgb8& colour) {
   const auto share = [](uint8_t byte) { return static_cast<float>(byte) / 255.0f; };
@@ -39,22 +33,51 @@ std::string optional_text(const std::optional<double>& value) {
   return value ? fmt::format("{:+.4f}", *value) : "nothing to measure";
 }
 
+void similarity_rows(const Score& score) {
+  if (!score.similarity || !score.similarity->flip_mean || !score.similarity->ssim) return;
+  panel_row("FLIP, SSIM",
+            fmt::format("{:.4f}, {:.4f}", *score.similarity->flip_mean, *score.similarity->ssim));
+}
+
+std::string offset_text(double widths) {
+  if (std::abs(widths) < 0.005) return "where the true ones do";
+  return fmt::format("{:.2f} true widths too far {}", std::abs(widths), widths > 0.0 ? "out" : "in");
+}
+
+/// Of all penumbrae in the window: how wide and where they are, and whether they widen as the true ones do.
+void penumbra_rows(const Diagnosis& diagnosis) {
+  const PenumbraNumbers& penumbra = diagnosis.penumbra;
+  if (!penumbra.width_octaves) return panel_row("Penumbrae", "none that can be measured");
+  panel_row("Penumbrae' widths", fmt::format("{:.2f} x the true ones, {} places",
+                                             std::exp2(penumbra.width_octaves->median), penumbra.accepted()));
+  if (penumbra.offset_widths) panel_row("  their edges lie", offset_text(penumbra.offset_widths->median));
+  const ContactHardening& hardening = diagnosis.contact_hardening;
+  panel_row("Contact hardening", hardening.slope ? fmt::format("{:.2f} (1: as the truth)", *hardening.slope)
+                                                 : "too few widths to tell");
+}
+
 void error_rows(const Score& score, int truth_pass) {
   if (!score.error) {
-    row("RMSE", "not scored: the surfaces differ");
+    panel_row("RMSE", "not scored: the surfaces differ");
     return;
   }
   const VisibilityError& error = *score.error;
-  row("RMSE of visibility", error.rmse ? interval_text(*error.rmse) : "nothing to score");
+  panel_row("RMSE of visibility", error.rmse ? interval_text(*error.rmse) : "nothing to score");
   if (ImGui::IsItemHovered())
     ImGui::SetTooltip(
         "Root mean square of V - R over the %zu scored pixels in the window, the truth's noise taken\n"
         "out, with its 95 %% interval. Pass %d of the truth.",
         error.scored_pixels, truth_pass + 1);
-  row("Bias", optional_text(error.bias));
-  row("Too dark, too bright",
-      fmt::format("{}, {}", optional_text(error.over_shadowing), optional_text(error.under_shadowing)));
-  if (score.lit_rmse) row("RMSE of the lit picture", fmt::format("{:.4f}", *score.lit_rmse));
+  panel_row("Bias", optional_text(error.bias));
+  panel_row("Too dark, too bright",
+            fmt::format("{}, {}", optional_text(error.over_shadowing), optional_text(error.under_shadowing)));
+  if (const auto penumbra = region_rmse(error.penumbra))
+    panel_row("RMSE in penumbrae",
+              fmt::format("{:.4f} on {:.0f} % of the picture", *penumbra, 100.0 * error.penumbra.share));
+  if (error.max_error) panel_row("Largest error", fmt::format("{:.3f}", *error.max_error));
+  if (score.lit_rmse) panel_row("RMSE of the lit picture", fmt::format("{:.4f}", *score.lit_rmse));
+  similarity_rows(score);
+  if (score.diagnosis) penumbra_rows(*score.diagnosis);
 }
 
 /// Pixel values that a plane has, "n/a" without it.
@@ -62,18 +85,23 @@ std::string plane_text(const Image& image, const char* name, size_t i, const cha
   return image.has(name) ? fmt::format(fmt::runtime(format), image.plane(name)[i]) : "n/a";
 }
 
-void penumbra_rows(const Judged& judged, const glm::ivec2& cursor_px) {
+std::string fault_text(FaultClass fault) {
+  if (fault == FaultClass::unscored) return "not scored";
+  return fault == FaultClass::explained ? "none, or a slight one" : std::string(name_of(fault));
+}
+
+void probed_penumbra_rows(const Judged& judged, const glm::ivec2& cursor_px) {
   const PenumbraProfile* profile = profile_near(judged.profiles, cursor_px.x, cursor_px.y);
   if (profile == nullptr) {
-    row("Penumbra", judged.profiles.empty() ? "not measured yet" : "none here");
+    panel_row("Penumbra", judged.profiles.empty() ? "not measured yet" : "none here");
     return;
   }
-  row("Penumbra, true width",
-      fmt::format("{:.4g} world, {:.1f} px", profile->reference_width_world, profile->reference_width_px));
-  row("  of the technique", fmt::format("{:.4g} world, {:.2f} x the true one", profile->test_width_world,
-                                        std::exp2(profile->width_octaves)));
-  row("  its edge lies", fmt::format("{:.3g} world {}", std::abs(profile->offset_world),
-                                     profile->offset_world > 0.0 ? "too far out" : "too far in"));
+  panel_row("Penumbra, true width", fmt::format("{:.4g} world, {:.1f} px", profile->reference_width_world,
+                                                profile->reference_width_px));
+  panel_row("  of the technique", fmt::format("{:.4g} world, {:.2f} x the true one",
+                                              profile->test_width_world, std::exp2(profile->width_octaves)));
+  panel_row("  its edge lies", fmt::format("{:.3g} world {}", std::abs(profile->offset_world),
+                                           profile->offset_world > 0.0 ? "too far out" : "too far in"));
 }
 
 }  // namespace
@@ -95,31 +123,31 @@ std::string truth_label(const ViewState& state, const Session& session) {
 }
 
 void summary_panel(const ViewState& state, const Session& session) {
-  if (!ImGui::CollapsingHeader("Measured in this view", ImGuiTreeNodeFlags_DefaultOpen)) return;
-  row("Picture", fmt::format("{} x {} px", state.width_px, state.height_px));
+  if (!ImGui::CollapsingHeader(heading_of(Section::measured), ImGuiTreeNodeFlags_DefaultOpen)) return;
+  panel_row("Picture", fmt::format("{} x {} px", state.width_px, state.height_px));
   if (session.moving_intervals_s().empty()) {
-    row("While moving", "not moved yet");
+    panel_row("While moving", "not moved yet");
   } else {
-    row("While moving",
-        fmt::format("{:.1f} pictures a second", 1.0 / mean_of_last(session.moving_intervals_s(), 20)));
+    panel_row("While moving",
+              fmt::format("{:.1f} pictures a second", 1.0 / mean_of_last(session.moving_intervals_s(), 20)));
   }
   const TruthPass* truth = session.truth(state);
-  row("Truth", truth == nullptr ? std::string("not there yet")
-                                : fmt::format("pass {} of {}, se {:.4f} rms, {:.3f} max", truth->pass + 1,
-                                              truth->passes, truth->se_rms, truth->se_max));
+  panel_row("Truth", truth == nullptr ? std::string("not there yet")
+                                      : fmt::format("{} of {}, se {:.4f}, max {:.3f}", truth->pass + 1,
+                                                    truth->passes, truth->se_rms, truth->se_max));
   if (const Judged* judged = session.judged(state)) {
     error_rows(judged->score, judged->job.truth_pass);
   } else {
-    row("RMSE of visibility", "needs the truth");
+    panel_row("RMSE of visibility", "needs the truth");
   }
   if (!session.judge_problem().empty()) ImGui::TextWrapped("%s", session.judge_problem().c_str());
 }
 
 void faults_panel(const ViewState& state, const Session& session) {
-  if (!ImGui::CollapsingHeader("Faults (F)")) return;
+  if (!ImGui::CollapsingHeader(heading_of(Section::faults))) return;
   const Judged* judged = session.judged(state);
   if (judged == nullptr || !judged->score.diagnosis) {
-    ImGui::TextColored(kQuiet, "told apart once the truth's second pass is there");
+    ImGui::TextColored(kQuietInk, "told apart once the truth's second pass is there");
     return;
   }
   const FaultNumbers& numbers = judged->score.diagnosis->faults;
@@ -137,76 +165,38 @@ void faults_panel(const ViewState& state, const Session& session) {
 }
 
 void probe_panel(const ViewState& state, const Session& session) {
-  if (!ImGui::CollapsingHeader("Under the cursor", ImGuiTreeNodeFlags_DefaultOpen)) return;
+  if (!ImGui::CollapsingHeader(heading_of(Section::cursor), ImGuiTreeNodeFlags_DefaultOpen)) return;
   const TruthPass* truth = session.truth(state);
   const auto test = session.test();
   if (!state.cursor_px || !test || !session.is_full(state)) {
-    ImGui::TextColored(kQuiet, "nothing: point at the picture at rest");
+    ImGui::TextColored(kQuietInk, "nothing: point at the picture at rest");
     return;
   }
   const glm::ivec2 px = *state.cursor_px;
   const size_t i = static_cast<size_t>(px.y) * static_cast<size_t>(test->width) + static_cast<size_t>(px.x);
-  row("Pixel, triangle", fmt::format("{}, {};  {}", px.x, px.y, test->plane("primitive_id")[i]));
-  row("Visibility", plane_text(*test, "visibility", i, "{:.4f}"));
+  panel_row("Pixel, triangle", fmt::format("{}, {};  {}", px.x, px.y, test->plane("primitive_id")[i]));
+  panel_row("Visibility", plane_text(*test, "visibility", i, "{:.4f}"));
+  if (const Drawing* drawing = session.drawing(); drawing != nullptr && drawing->maps) {
+    const float map = drawing->maps->plane("Y")[i];
+    panel_row("Map", map < 0.0f ? std::string("none") : fmt::format("number {:.0f}", map));
+  }
   if (truth == nullptr) return;
   const Image& image = *truth->image;
   const float error = test->plane("visibility")[i] - image.plane("visibility")[i];
-  row("  of the truth", fmt::format("{:.4f} +- {:.4f}, {:.0f} samples", image.plane("visibility")[i],
-                                    image.plane("visibility_se")[i], image.plane("sample_count")[i]));
-  row("Error", fmt::format("{:+.4f}", error));
-  row("Nearest blocker", plane_text(image, "blocker_distance_min", i, "{:.4g} world"));
+  const float samples = image.plane("sample_count")[i];
+  panel_row(
+      "  of the truth",
+      fmt::format("{:.4f} +- {:.4f}, {}", image.plane("visibility")[i], image.plane("visibility_se")[i],
+                  samples > 0.0f ? fmt::format("{:.0f} samples", samples) : std::string("without a ray")));
+  panel_row("Error", fmt::format("{:+.4f}", error));
+  const bool is_blocked = image.has("blocker_distance_min") && image.plane("blocker_distance_min")[i] > 0.0f;
+  if (image.has("blocker_distance_min"))
+    panel_row("Nearest blocker", is_blocked ? plane_text(image, "blocker_distance_min", i, "{:.4g} world")
+                                            : std::string("nothing blocks"));
   const Judged* judged = session.judged(state);
   if (judged == nullptr) return;
-  if (!judged->score.fault_classes.empty())
-    row("Fault", std::string(name_of(judged->score.fault_classes[i])));
-  penumbra_rows(*judged, px);
-}
-
-void passes_panel(ViewState& state, const Session& session) {
-  state.wants_times = ImGui::CollapsingHeader("Passes and textures (5)");
-  if (!state.wants_times) return;
-  const Drawing* drawing = session.drawing();
-  if (drawing != nullptr && !drawing->times_ms.empty()) {
-    const double all_ms = std::accumulate(drawing->times_ms.begin(), drawing->times_ms.end(), 0.0);
-    row("All passes", fmt::format("{:.3f} ms, {}", all_ms, drawing->timer));
-    for (size_t i = 0; i < drawing->passes.size(); ++i) {
-      const std::string text = fmt::format("{:.3f} ms", drawing->times_ms[i]);
-      ImGui::ProgressBar(static_cast<float>(drawing->times_ms[i] / std::max(all_ms, 1e-9)), {150, 0},
-                         text.c_str());
-      ImGui::SameLine();
-      ImGui::TextUnformatted(drawing->passes[i].c_str());
-    }
-    row("Textures", fmt::format("{:.1f} MiB", double(drawing->frame.memory_bytes) / (1 << 20)));
-  }
-  ImGui::Separator();
-  for (const PassDeclaration& pass : state.shown().passes) {
-    const auto joined = [](const std::vector<std::string>& names) {
-      std::string text;
-      for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-      return text;
-    };
-    ImGui::TextWrapped("%s: %s -> %s", pass.id.c_str(),
-                       pass.reads.empty() ? "triangles" : joined(pass.reads).c_str(),
-                       joined(pass.writes).c_str());
-  }
-  ImGui::Separator();
-  ImGui::SetNextItemWidth(176.0f);
-  if (ImGui::BeginCombo("texture", state.resource.resource.c_str())) {
-    std::vector<std::string> names{"visibility", "gbuffer.position", "gbuffer.normal"};
-    for (const ResourceDeclaration& resource : state.shown().resources) names.push_back(resource.name);
-    for (const std::string& name : names) {
-      if (!ImGui::Selectable(name.c_str(), name == state.resource.resource)) continue;
-      state.resource = {name, 0, 0};
-      state.layout = Layout::resource;
-    }
-    ImGui::EndCombo();
-  }
-  ImGui::SetNextItemWidth(176.0f);
-  ImGui::InputInt("layer", &state.resource.layer);
-  ImGui::SetNextItemWidth(176.0f);
-  ImGui::InputInt("level", &state.resource.level);
-  state.resource.layer = std::max(state.resource.layer, 0);
-  state.resource.level = std::max(state.resource.level, 0);
+  if (!judged->score.fault_classes.empty()) panel_row("Fault", fault_text(judged->score.fault_classes[i]));
+  probed_penumbra_rows(*judged, px);
 }
 
 }  // namespace umbrameter

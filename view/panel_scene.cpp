@@ -8,6 +8,8 @@
 
 #include <glm/trigonometric.hpp>
 
+#include <array>
+
 namespace umbrameter {
 namespace {
 
@@ -60,8 +62,44 @@ void size_controls(Light& light, double diagonal_world, bool& has_changed) {
 
 }  // namespace
 
+std::string_view title_of(Section section) {
+  constexpr std::array<std::string_view, kSections> kNames{
+      "Measured", "Technique", "View", "Light", "Camera", "Cursor", "Faults", "Passes", "Save"};
+  return kNames.at(static_cast<size_t>(section));
+}
+
+const char* heading_of(Section section) {
+  constexpr std::array<const char*, kSections> kHeadings{"Measured in this view",
+                                                         "Technique (Page Up, Page Down)",
+                                                         "View (1 to 5; L V X F N C T)",
+                                                         "Light (Space: follows the camera)",
+                                                         "Camera (W A S D Q E, mouse)",
+                                                         "Under the cursor",
+                                                         "Faults (F)",
+                                                         "Frame graph and textures (5)",
+                                                         "Save"};
+  return kHeadings.at(static_cast<size_t>(section));
+}
+
+std::optional<std::string> scene_menu(const ViewSetup& setup, const std::string& opening) {
+  std::optional<std::string> wanted;
+  ImGui::SetNextItemWidth(-1);
+  const std::string shown = "Scene: " + (opening.empty() ? setup.scene_name : opening + ", being read");
+  if (!ImGui::BeginCombo("##scene", shown.c_str(), ImGuiComboFlags_HeightLarge)) return wanted;
+  for (const SceneChoice& choice : setup.scenes) {
+    ImGui::BeginDisabled(!choice.missing.empty());
+    if (ImGui::Selectable(choice.name.c_str(), choice.name == setup.scene_name)) wanted = choice.name;
+    ImGui::EndDisabled();
+    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
+      ImGui::SetTooltip("%s%s", choice.title.c_str(),
+                        choice.missing.empty() ? "" : ("\nneeds " + choice.missing).c_str());
+  }
+  ImGui::EndCombo();
+  return wanted;
+}
+
 void view_panel(ViewState& state, const Session& session) {
-  if (!ImGui::CollapsingHeader("View (1 to 5; L V X F N T)", ImGuiTreeNodeFlags_DefaultOpen)) return;
+  if (!ImGui::CollapsingHeader(heading_of(Section::view), ImGuiTreeNodeFlags_DefaultOpen)) return;
   ImGui::PushID("layout");
   choice_buttons(state.layout, kLayouts);
   ImGui::PopID();
@@ -74,7 +112,7 @@ void view_panel(ViewState& state, const Session& session) {
 }
 
 void light_panel(ViewState& state) {
-  if (!ImGui::CollapsingHeader("Light (Space: follows the camera)")) return;
+  if (!ImGui::CollapsingHeader(heading_of(Section::light))) return;
   ImGui::SetNextItemWidth(kWidth);
   if (ImGui::BeginCombo("light", state.shown_light().name.c_str())) {
     for (size_t i = 0; i < state.lights.size(); ++i)
@@ -109,7 +147,7 @@ void light_panel(ViewState& state) {
 }
 
 void camera_panel(ViewState& state, double& fly_speed_world) {
-  if (!ImGui::CollapsingHeader("Camera (W A S D Q E, mouse)")) return;
+  if (!ImGui::CollapsingHeader(heading_of(Section::camera))) return;
   Camera camera = state.camera;
   slider("field of view", camera.vertical_fov_deg, 5.0, 120.0, "%.1f deg");
   drag3("eye", camera.eye_world, 1e-3 * state.diagonal_world);
@@ -121,7 +159,7 @@ void camera_panel(ViewState& state, double& fly_speed_world) {
 }
 
 std::optional<Saved> save_panel(size_t path_cameras) {
-  if (!ImGui::CollapsingHeader("Save")) return std::nullopt;
+  if (!ImGui::CollapsingHeader(heading_of(Section::save))) return std::nullopt;
   struct Entry {
     const char* title;
     Saved what;
@@ -144,6 +182,7 @@ std::optional<Saved> save_panel(size_t path_cameras) {
 void help_overlay(float width, float height) {
   constexpr const char* kText =
       "Left drag          orbit; the divider in a split view\n"
+      "Shift + left drag  turn the light\n"
       "Right drag         look around\n"
       "Middle drag        pan\n"
       "Wheel              nearer, further\n"
@@ -151,7 +190,8 @@ void help_overlay(float width, float height) {
       "Home               the scene's camera\n"
       "Page Up, Down      technique before, after\n"
       "1 2 3 4 5          technique, truth, side by side, split, texture\n"
-      "L V X F N T        lit, visibility, error, faults, normals, edges\n"
+      "L V X F N          lit, visibility, error, faults, normals\n"
+      "C, T               maps (cascades) coloured, edges of triangles\n"
       "Space              light follows the camera\n"
       ", .                light smaller, larger\n"
       "R, P               record a camera path, play it\n"

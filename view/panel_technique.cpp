@@ -112,12 +112,14 @@ void parameter_row(ViewState& state, const Parameter& declared) {
   const bool is_active =
       umbrameter::is_active(technique, declared, state.shown_values(), state.shown_light());
   ImGui::BeginDisabled(!is_active);
-  ImGui::SetNextItemWidth(176.0f);
+  constexpr float kControl_px = 176.0f;
+  const float name_x = ImGui::GetCursorPosX() + kControl_px + ImGui::GetStyle().ItemSpacing.x;
+  ImGui::SetNextItemWidth(kControl_px);
   std::optional<ParameterValue> chosen = control(("##" + parameter.name).c_str(), parameter, value);
   const bool is_reset = ImGui::IsItemClicked(ImGuiMouseButton_Right);
   tooltip(parameter, is_active);
   ImGui::SameLine();
-  if (parameter.type == ParameterType::boolean) ImGui::SetCursorPosX(200.0f);
+  if (parameter.type == ParameterType::boolean) ImGui::SetCursorPosX(name_x);
   const bool is_default = value == parameter.default_value;
   ImGui::TextColored(ImGui::GetStyle().Colors[is_default ? ImGuiCol_TextDisabled : ImGuiCol_Text], "%s",
                      parameter.name.c_str());
@@ -157,7 +159,7 @@ void technique_menu(ViewState& state) {
 }  // namespace
 
 void technique_panel(ViewState& state) {
-  if (!ImGui::CollapsingHeader("Technique (Page Up, Page Down)", ImGuiTreeNodeFlags_DefaultOpen)) return;
+  if (!ImGui::CollapsingHeader(heading_of(Section::technique), ImGuiTreeNodeFlags_DefaultOpen)) return;
   technique_menu(state);
   preset_menu(state);
   std::vector<std::string> groups;

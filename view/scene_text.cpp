@@ -3,8 +3,10 @@
 
 #include "core/files.h"
 #include "core/toml.h"
-
-#include <glm/trigonometric.hpp>
+#include "core/toml_text.h"
+#include "scenes/gltf/gltf_model.h"
+#include "scenes/gltf/import_gltf.h"
+#include "scenes/scene_text.h"
 
 #include <sstream>
 
@@ -12,19 +14,6 @@ namespace umbrameter {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string in_quotes(std::string_view text) {
-  std::string out = "\"";
-  for (const char letter : text) {
-    if (letter == '"' || letter == '\\') out += '\\';
-    out += letter;
-  }
-  return out + '"';
-}
-
-std::string vector3(const glm::dvec3& v) {
-  return fmt::format("[{}, {}, {}]", toml_number(v.x), toml_number(v.y), toml_number(v.z));
-}
 
 /// What a line of a TOML file opens: "camera" of [camera] and [[camera]]; empty for other lines.
 std::string table_of(const std::string& line) {
@@ -41,8 +30,16 @@ std::string file_line(const std::string& line, const fs::path& from, const fs::p
   const fs::path file = line.substr(begin + 1, end - begin - 1);
   std::error_code ignored;
   if (file.is_absolute() || !fs::exists(from / file, ignored)) return line;
-  return line.substr(0, begin) + in_quotes(fs::relative(from / file, to).generic_string()) +
+  return line.substr(0, begin) + toml_string(fs::relative(from / file, to).generic_string()) +
          line.substr(end + 1);
+}
+
+/// What the scene file says; of a glTF file what `scene import` would write. A sentence where it is no TOML.
+std::string source_toml(const fs::path& scene_file) {
+  if (is_gltf(scene_file.string())) return import_gltf(scene_file).toml;
+  std::string source = read_file(scene_file);
+  parse_toml(source, scene_file.string());
+  return source;
 }
 
 fs::path folder_of(const fs::path& file) {
@@ -54,66 +51,25 @@ std::string changed_values(std::span<const Parameter> parameters, const Paramete
   for (const Parameter& parameter : parameters) {
     const auto value = values.find(parameter.name);
     if (value == values.end() || value->second == parameter.default_value) continue;
-    text += fmt::format("{} = {}\n", parameter.name, toml_text(value->second));
+    text += fmt::format("{} = {}\n", parameter.name, toml_value(value->second));
   }
   return text;
 }
 
 }  // namespace
 
-std::string toml_number(double value) {
-  const std::string text = fmt::format("{}", value);
-  return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
-}
-
-std::string toml_text(const ParameterValue& value) {
-  struct Writer {
-    std::string operator()(bool flag) const { return flag ? "true" : "false"; }
-    std::string operator()(int64_t number) const { return fmt::format("{}", number); }
-    std::string operator()(double number) const { return toml_number(number); }
-    std::string operator()(const std::string& text) const { return in_quotes(text); }
-  };
-  return std::visit(Writer{}, value);
-}
-
-std::string camera_keys(const Camera& camera) {
-  return fmt::format("eye = {}\nat = {}\nup = {}\nfov_deg = {}\nnear = {}\n", vector3(camera.eye_world),
-                     vector3(camera.at_world), vector3(camera.up_world), toml_number(camera.vertical_fov_deg),
-                     toml_number(camera.near_world));
-}
-
-std::string light_keys(const Light& light) {
-  std::string text =
-      fmt::format("name = {}\ntype = {}\n", in_quotes(light.name), in_quotes(to_text(light.type)));
-  if (light.type != LightType::sun) text += fmt::format("center = {}\n", vector3(light.center_world));
-  text += fmt::format("direction = {}\ntangent = {}\n", vector3(light.direction_world),
-                      vector3(light.tangent_world));
-  switch (light.type) {
-    case LightType::rect:
-      return text + fmt::format("size = [{}, {}]\n", toml_number(light.size_world.x),
-                                toml_number(light.size_world.y));
-    case LightType::disk:
-    case LightType::sphere:
-      return text + fmt::format("radius = {}\n", toml_number(light.radius_world));
-    case LightType::sun:
-      return text + fmt::format("angular_diameter_deg = {}\n",
-                                toml_number(2.0 * glm::degrees(light.half_angle_rad)));
-  }
-  return text;
-}
-
 std::string scene_toml(const fs::path& scene_file, const fs::path& target, const Camera& camera,
                        const Light& light) {
-  const std::string source = read_file(scene_file);
-  parse_toml(source, scene_file.string());  // a sentence, where it is none
+  const std::string source = source_toml(scene_file);
   std::istringstream lines(source);
   std::string text, line, table;
-  bool has_light = false;
+  bool has_light = false, has_camera = false;
   while (std::getline(lines, line)) {
     if (const std::string opened = table_of(line); !opened.empty()) {
       table = opened;
       const bool is_first_light = table == "light" && !has_light;
       has_light = has_light || is_first_light;
+      has_camera = has_camera || table == "camera";
       if (table == "camera") text += "[camera]\n" + camera_keys(camera) + "\n";
       if (is_first_light) text += "[[light]]\n" + light_keys(light) + "\n";
     }
@@ -121,6 +77,9 @@ std::string scene_toml(const fs::path& scene_file, const fs::path& target, const
     const bool names_file = table == "mesh" && line.starts_with("file");
     text += (names_file ? file_line(line, folder_of(scene_file), folder_of(target)) : line) + "\n";
   }
+  if (!has_camera || !has_light)
+    fail_input(fmt::format("{} is not a table of its own", has_camera ? "[[light]]" : "[camera]"),
+               {scene_file.string()}, "the window replaces whole tables, so write it as one");
   return text;
 }
 
@@ -129,7 +88,7 @@ std::string view_preset_toml(const std::string& technique, std::span<const Param
   return fmt::format(
       "# Made in the window of `umbrameter view`: umbrameter render ... --preset FILE.\n"
       "technique = {}\n\n[[preset]]\nname = \"view\"\ndoc = \"Set by hand.\"\n[preset.values]\n{}",
-      in_quotes(technique), changed_values(parameters, values));
+      toml_string(technique), changed_values(parameters, values));
 }
 
 std::string view_study_toml(const std::string& scene, const std::string& technique,
@@ -139,7 +98,7 @@ std::string view_study_toml(const std::string& scene, const std::string& techniq
       "# Made in the window of `umbrameter view`: umbrameter sweep FILE.\n"
       "schema = 1\ntitle = \"{} as set by hand\"\nscenes = [{}]\nwidth_px = {}\nheight_px = {}\n\n"
       "[[run]]\ntechnique = {}\n[run.values]\n{}",
-      technique, in_quotes(scene), width_px, height_px, in_quotes(technique),
+      technique, toml_string(scene), width_px, height_px, toml_string(technique),
       changed_values(parameters, values));
 }
 

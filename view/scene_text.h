@@ -10,14 +10,6 @@
 
 namespace umbrameter {
 
-/// A number, text or boolean as TOML has it, to the last bit.
-std::string toml_number(double value);
-std::string toml_text(const ParameterValue& value);
-
-/// The keys of a [camera], near plane included, and of a [[light]]; one a line.
-std::string camera_keys(const Camera& camera);
-std::string light_keys(const Light& light);
-
 /// The scene file's text with the camera and the one light given, everything else as it stands. Mesh files beside
 /// `scene_file` are named so that they are found from `target`'s folder. Error{input} for a scene file that is no TOML.
 std::string scene_toml(const std::filesystem::path& scene_file, const std::filesystem::path& target,

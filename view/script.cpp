@@ -25,8 +25,10 @@ constexpr Command kCommands[] = {
     {"scroll", 1, 1},                     // steps, up is positive
     {"hover", 2, 2},                      // X Y
     {"resize", 2, 2},                     // the window
+    {"open", 1, 1},                       // a scene, by its name or file
     {"technique", 1, 1},                  // by its id
     {"set", 2, 2},                        // parameter value
+    {"unfold", 1, 1},                     // a section of the panel; the others are folded
     {"layout", 1, 1},    {"layer", 1, 1},  {"orbit", 1, 1},  // for as many pictures
     {"switch", 1, 1},                                        // techniques, so many, one after the other
     {"mark", 0, 0},                                          // the memory that the report counts from

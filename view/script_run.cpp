@@ -3,6 +3,7 @@
 
 #include "core/names.h"
 #include "view/camera_control.h"
+#include "view/panels.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -44,7 +45,7 @@ bool ScriptRun::advance() {
       if (seconds_since(begun_) < kLongest_s) return true;
       fail_environment(
           fmt::format("{}: '{}' took longer than {} s", to_string(step.where), step.command, kLongest_s),
-          view_.session_.problem());
+          view_.session_->problem());
     }
     if (step.command == "close") return false;
     act(step);
@@ -60,10 +61,14 @@ bool ScriptRun::advance() {
 
 /// For steps that take several pictures: whether to come back after the next one.
 bool ScriptRun::is_waiting(const ScriptStep& step) {
-  const Session& session = view_.session_;
+  const Session& session = *view_.session_;
   ViewState& state = view_.state_;
   const int begun = std::exchange(has_begun_, true) ? 0 : 1;
   if (step.command == "frames") return count_++ < static_cast<int>(step.number(0));
+  if (step.command == "open") {
+    if (begun == 1) view_.open_scene(step.words[0]);
+    return !view_.opening_.empty();
+  }
   if (step.command == "play") {
     if (begun == 1) {
       view_.path_ = read_camera_path(step.words[0], state.camera.near_world);
@@ -89,7 +94,7 @@ bool ScriptRun::is_waiting(const ScriptStep& step) {
 }
 
 bool ScriptRun::is_there(const ScriptStep& step) const {
-  const Session& session = view_.session_;
+  const Session& session = *view_.session_;
   const ViewState& state = view_.state_;
   const std::string& what = step.words[0];
   const Judged* judged = session.judged(state);
@@ -121,6 +126,7 @@ void ScriptRun::act(const ScriptStep& step) {
   if (command == "set") set_parameter(step);
   if (command == "layout") state.layout = choice_of<Layout>(step, kLayouts);
   if (command == "layer") state.layer = choice_of<Layer>(step, kLayers);
+  if (command == "unfold") view_.only_section_ = static_cast<size_t>(choice_of<Section>(step, kSections));
   if (command == "mark") view_.memory_first_mib_ = resident_mib();
   if (command == "window") save(Saved::window);
   if (command == "picture") save(Saved::picture);

@@ -27,6 +27,7 @@ Scene with_one_light(Scene scene) {
 /// What else is wanted of a picture than the picture.
 std::string extras_key(const ViewState& state) {
   std::string key = state.wants_times ? "times " : "";
+  if (state.layer == Layer::maps) key += "maps ";
   if (state.layout != Layout::resource) return key;
   return key + fmt::format("{}:{}:{}", state.resource.resource, state.resource.layer, state.resource.level);
 }
@@ -157,6 +158,7 @@ void Session::ask_drawing(const ViewState& state) {
                  .technique = state.shown().folder.string(),
                  .parameters = smaller > 1 ? with_small_maps(state) : state.shown_values()};
   job.wants_times = state.wants_times && width_px == state.width_px && !is_moving();
+  job.wants_maps = state.layer == Layer::maps;
   if (state.layout == Layout::resource) job.resource = state.resource;
   draws_.ask(std::move(job));
   asked_place_ = state.place_version;

@@ -16,9 +16,17 @@
 
 namespace umbrameter {
 
+/// A scene that can be opened by its name.
+struct SceneChoice {
+  std::string name, title;
+  std::string missing;  // what it needs and is not there; empty: nothing
+};
+
 struct ViewSetup {
   Scene scene;             // with all its lights; the active one is shown first
   std::string scene_name;  // for titles and file names
+  std::vector<SceneChoice> scenes;
+  std::function<Scene(const std::string&)> load_scene;  // by name or file; called on a thread of its own
   std::vector<Technique> techniques;
   std::string technique;                                     // the id of the first one
   ParameterValues parameters;                                // of that one

@@ -49,6 +49,10 @@ void on_scroll(GLFWwindow* window, double x, double y) {
   if (!ImGui::GetIO().WantCaptureMouse) events_of(window).on_scroll(y);
 }
 
+void on_drop(GLFWwindow* window, int count, const char** files) {
+  if (count > 0) events_of(window).on_drop(files[0]);
+}
+
 GLFWwindow* open_window(int width_px, int height_px, const std::string& title) {
   if (glfwInit() == GLFW_FALSE)
     fail_environment("no window can be opened: " + glfw_problem(),
@@ -102,6 +106,7 @@ Window::Window(int width_px, int height_px, const std::string& title, WindowEven
   glfwSetMouseButtonCallback(window, on_button);
   glfwSetCursorPosCallback(window, on_move);
   glfwSetScrollCallback(window, on_scroll);
+  glfwSetDropCallback(window, on_drop);
   device_ = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
 }
 

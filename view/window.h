@@ -20,6 +20,7 @@ class WindowEvents {
   virtual void on_button(int button, int action, double x, double y) = 0;
   virtual void on_move(double x, double y) = 0;
   virtual void on_scroll(double steps) = 0;
+  virtual void on_drop(const std::string& file) = 0;  // let go over the window
 };
 
 class Window {

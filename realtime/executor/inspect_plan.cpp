@@ -36,6 +36,13 @@ const Texture& find_part(const Technique& technique, const Targets& targets, con
       fmt::format("layers 0 to {}, levels 0 to {}", texture.layers() - 1, texture.levels() - 1));
 }
 
+std::vector<std::string> drawn_passes(const Plan& plan) {
+  std::vector<std::string> ids;
+  for (const PreparedPass& pass : plan.passes)
+    if (std::ranges::find(ids, pass.declaration->id) == ids.end()) ids.push_back(pass.declaration->id);
+  return ids;
+}
+
 std::vector<FinalShader> final_shaders(const Plan& plan) {
   std::vector<FinalShader> found;
   for (const PreparedPass& pass : plan.passes) {

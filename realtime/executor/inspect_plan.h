@@ -12,6 +12,9 @@ namespace umbrameter {
 /// Error{input} for a texture that the run does not have or that cannot be read, or a layer or level it has not.
 const Texture& find_part(const Technique& technique, const Targets& targets, const ResourcePart& part);
 
+/// Ids of a plan's passes, each once, in their order.
+std::vector<std::string> drawn_passes(const Plan& plan);
+
 /// The shaders of a plan's passes, each text once.
 std::vector<FinalShader> final_shaders(const Plan& plan);
 

@@ -48,6 +48,18 @@ void add_texel_planes(std::span<const FittedView> maps, Image& image) {
   }
 }
 
+Image map_indices(std::span<const FittedView> maps, const Image& image) {
+  Image indices(image.width, image.height);
+  const std::span<float> index = indices.add_plane("Y");
+  const auto x = image.plane("position.x"), y = image.plane("position.y"), z = image.plane("position.z");
+  const auto primitive = image.plane("primitive_id");
+  for (size_t i = 0; i < image.pixel_count(); ++i) {
+    const FittedView* map = primitive[i] < 0.0f ? nullptr : map_of(maps, {x[i], y[i], z[i]});
+    index[i] = map == nullptr ? -1.0f : static_cast<float>(map - maps.data());
+  }
+  return indices;
+}
+
 void add_bias_plane(const ParameterValues& parameters, Image& image) {
   const auto mode = parameters.find("bias_mode");
   if (mode != parameters.end() && mode->second == ParameterValue(std::string("auto"))) return;

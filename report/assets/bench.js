@@ -3,13 +3,22 @@
 
 const benchCharts = [];
 
+// The median with its interval; with what there is where too few frames were timed for one; null without any.
+function benchTime(run) {
+  if (run.time_ms) return run.time_ms;
+  const total = run.pass_times?.at(-1);
+  return total ? {value: total.median_ms, low: total.median_ms, high: total.median_ms, frames: total.frames} : null;
+}
+
 function drawBench(owner) {
   const {bench} = owner, colours = themeColours();
-  const points = bench.runs.filter(run => run.time_ms && run.rmse).map(run => ({x: run.time_ms.value, y: run.rmse.value, label: run.label, isOnFront: run.is_on_front,
-                                         bars: {x: [run.time_ms.low, run.time_ms.high], y: [run.rmse.low, run.rmse.high]}}));
+  const timed = bench.runs.map(run => ({run, time: benchTime(run)})).filter(({run, time}) => time && run.rmse);
+  if (timed.length === 0) return;
+  const points = timed.map(({run, time}) => ({x: time.value, y: run.rmse.value, label: run.label, isOnFront: run.is_on_front,
+                                              bars: {x: [time.low, time.high], y: [run.rmse.low, run.rmse.high]}}));
   const best = points.filter(point => point.label === bench.recommended).map(({x, y, label}) => ({x, y, label}));
   const ring = {label: `recommended: ${bench.recommended}`, data: best, pointStyle: "circle", pointRadius: 11, borderColor: colours.third, backgroundColor: "transparent", borderWidth: 2};
-  putChart(owner, "bench", timesConfig(points, point => point.isOnFront, () => false, best.length > 0 ? [ring] : [], {}));
+  putChart(owner, "bench", timesConfig(points, point => point.isOnFront ?? !isBehind(point, points), () => false, best.length > 0 ? [ring] : [], {}));
 }
 
 // RMSE against processor time, both logarithmic. The exponent is of the number of samples, not of time.

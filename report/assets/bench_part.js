@@ -7,10 +7,16 @@ function benchPlace(run, isRecommended) {
   return textCell((run.is_on_front ? "on the front" : `behind ${run.dominated_by}`) + (isRecommended ? ", recommended" : ""));
 }
 
+function benchTimeText(run) {
+  const time = benchTime(run);
+  if (!time || run.time_ms) return significantInterval(time, 4, " ms");
+  return `${significantText(time.value, 3)} ms (${time.frames} frame${time.frames === 1 ? "" : "s"}: no interval)`;
+}
+
 function benchRunsTable(scene) {
   return makeTable("Time and error of every run", ["Run", "#Time of a frame [95 %]", "#RMSE [95 %]", "#Memory", "Front", "Seed", "Parameters"], scene.runs.map(run => [
     nameCell(run.label),
-    numberCell("time_ms", run.time_ms?.value, significantInterval(run.time_ms, 4, " ms")),
+    numberCell("time_ms", benchTime(run)?.value, benchTimeText(run)),
     numberCell("rmse", run.rmse?.value, intervalText(run.rmse)),
     numberCell("memory_bytes", run.memory_bytes, bytesText(run.memory_bytes)),
     benchPlace(run, run.label === scene.recommended), textCell(String(run.seed)), textCell(foldedText(parametersText(run.parameters)), "context")]));
@@ -61,13 +67,13 @@ function benchFigure(scene, study, number) {
   return element("figure", {class: "bench", id: `bench-${number}`}, element("figcaption", {}, `${scene.name}: ${scene.title}`),
                  element("p", {class: "context"}, `${scene.triangles} triangles; ${scene.light} light; scene hash ${scene.hash}; truth by ${scene.reference_device}`),
                  scene.failure ? element("p", {class: "problem"}, scene.failure.message) : null, warningList(scene.warnings), benchAnswers(scene, study),
-                 element("div", {class: "plots"}, plotBox("bench", "Time against error", study.note), scene.truth ? plotBox("truth", "The truth's own time against error") : null),
+                 element("div", {class: "plots"}, scene.runs.some(run => benchTime(run) && run.rmse) ? plotBox("bench", "Time against error", study.note) : null, scene.truth ? plotBox("truth", "The truth's own time against error") : null),
                  benchRunsTable(scene), ...benchTruth(scene), ...benchClaims(scene));
 }
 
 function benchHeading(study) {
   const best = study.recommended;
-  return [element("h3", {}, study.title || study.file), study.doc ? element("p", {}, study.doc) : null,
+  return [pageTitle() === study.title ? null : element("h3", {}, study.title || study.file), study.doc ? element("p", {}, study.doc) : null,
           element("p", {class: "context"}, `${study.file}: study ${study.study}; umbrameter ${study.version} (${study.commit}); ${study.width_px} x ${study.height_px} px, ` +
                   `${study.samples_per_pixel} samples per pixel; up to ${study.wanted_frames} frames per run`),
           best && best.scenes > 1 ? element("p", {}, `Recommended over ${best.scenes} scenes: ${best.label} (time x RMSE is ${significantText(best.cost, 3)} times each scene's least).`) : null]

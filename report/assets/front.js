@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Over all scenes: which techniques are worth their time, and who is best for it in each scene.
 
-const frontOwner = {root: document.getElementById("front"), charts: {}};
+const frontOwner = {root: document.getElementById("front"), charts: {}, isWanted: false};  // below the first screen: drawn last
 
 function quartiles(values) {
   const sorted = [...values].sort((a, b) => a - b);
@@ -28,6 +28,7 @@ function isBehind(point, points) {
 }
 
 function drawFront() {
+  if (!frontOwner.isWanted) return;
   const {points, scenes, leftOut} = frontPoints(overviewRows());
   frontOwner.root.hidden = points.length < 2;
   if (frontOwner.root.hidden) return;

@@ -2,7 +2,6 @@
 // The first screen: techniques x scenes as a heat map, which is also the way to every picture, and who is best for the time.
 
 const kAffordableFactor = 10;  // times the fastest run's time; the page's choice to begin with
-const kThumbnail_px = 240;
 const kHeatStops = [[0, 32, 77], [48, 70, 107], [104, 104, 112], [155, 140, 115], [207, 179, 97], [255, 234, 70]];  // cividis
 
 function heatColour(share) {
@@ -12,26 +11,8 @@ function heatColour(share) {
 
 // Black or white, whichever stands out from `colour`.
 function inkOn([r, g, b]) {
-  return 0.299 * r + 0.587 * g + 0.114 * b > 140 ? "#000" : "#fff";
+  return 0.299 * r + 0.587 * g + 0.114 * b > 118 ? "#000" : "#fff";
 }
-
-function totalMs(run) {
-  return run.pass_times.at(-1)?.median_ms ?? null;
-}
-
-function worstFault(run) {
-  const name = run.faults?.worst;
-  return name ? {name, part: run.faults.classes[name].mean_abs_error} : null;
-}
-
-// What a cell may show: its number (null: not measured), and how it is written.
-const overviewMetrics = {
-  rmse: {label: "RMSE of V", value: run => run.error?.rmse?.value ?? null, text: value => value.toFixed(3)},
-  penumbra: {label: "RMSE in penumbrae", value: run => run.error?.penumbra?.rmse ?? null, text: value => value.toFixed(3)},
-  bias: {label: "|mean error|", value: run => run.error ? Math.abs(run.error.bias) : null, text: value => value.toFixed(3)},
-  fault: {label: "worst fault's part of the mean |error|", value: run => run.faults ? worstFault(run)?.part ?? 0 : null, text: value => value.toFixed(3)},
-  time: {label: "time of a frame, ms", value: run => run.error ? totalMs(run) : null, text: value => significantText(value, 2)},
-};
 
 function percentile(sorted, share) {
   return sorted[Math.round(share * (sorted.length - 1))];
@@ -94,7 +75,7 @@ function fillCell(cell, sceneIndex, runIndex, metric, scale, isBest) {
   link.title = value === null ? (run.failure?.message ?? `${run.label}: not measured`) : cellLabel(scene, run);
   if (isBest) link.setAttribute("aria-label", `${link.textContent}, best for the time`);
   if (value !== null) {
-    const colour = heatColour(scale(value));
+    const colour = heatColour(scale(metric.wrong(value)));
     cell.style.background = `rgb(${colour})`;
     link.style.color = inkOn(colour);
   }
@@ -104,7 +85,7 @@ function fillCell(cell, sceneIndex, runIndex, metric, scale, isBest) {
 function drawOverview() {
   const metric = overviewMetrics[document.getElementById("overview-metric").value];
   const factor = Number(document.getElementById("overview-budget").value);
-  const scale = heatScale(results.scenes.flatMap(scene => scene.techniques.map(metric.value)));
+  const scale = heatScale(results.scenes.flatMap(scene => scene.techniques.map(metric.value).filter(value => value !== null).map(metric.wrong)));
   const best = results.scenes.map(scene => bestAffordable(scene, factor));
   for (const row of document.querySelectorAll("#overview-map tbody tr")) {
     Array.from(row.cells).slice(1).forEach((cell, scene) => {
@@ -120,17 +101,15 @@ function drawOverview() {
   fillBestTable(factor);
 }
 
-// A small lit picture of the truth at the head of a scene's column, drawn when there is time.
+// A small lit picture of the truth at the head of a scene's column; its pixels lie in the page's data.
 async function drawThumbnail(canvas, sceneIndex) {
-  const entry = page.scenes[sceneIndex];
-  if (!entry) return;
-  const planes = await litPlanes(sceneIndex);
-  const picture = paintBitmap(entry.width, entry.height, litColour(planes, planes, litScale(planes)));
-  canvas.width = kThumbnail_px;
-  canvas.height = Math.round(kThumbnail_px * entry.height / entry.width);
-  const context = canvas.getContext("2d");
-  context.imageSmoothingQuality = "high";
-  context.drawImage(picture, 0, 0, canvas.width, canvas.height);
+  const small = page.scenes[sceneIndex]?.small;
+  if (!small) return;
+  const planes = await unpack(small.planes, small.packed, Object.keys(small.planes));
+  const picture = paintBitmap(small.width, small.height, litColour(planes, planes, litScale(planes)));
+  canvas.width = small.width;
+  canvas.height = small.height;
+  canvas.getContext("2d").drawImage(picture, 0, 0);
 }
 
 // May be broken after what joins its words.
@@ -144,8 +123,8 @@ function sceneHead(scene, sceneIndex) {
   link.href = `#scene-${sceneIndex + 1}`;
   canvas.setAttribute("aria-hidden", "true");
   const entry = page.scenes[sceneIndex];
-  canvas.width = 160;
-  canvas.height = Math.round(kThumbnail_px * (entry ? entry.height / entry.width : 9 / 16));
+  canvas.width = entry?.small?.width ?? 240;
+  canvas.height = entry?.small?.height ?? 135;
   link.append(canvas, breakable(scene.name));
   cell.append(link);
   return cell;
@@ -156,7 +135,7 @@ function makeOverview() {
   if (results.scenes.length === 0) return;
   section.hidden = false;
   table.style.setProperty("--scenes", results.scenes.length);
-  for (const [name, metric] of Object.entries(overviewMetrics)) addOption(document.getElementById("overview-metric"), name, metric.label);
+  fillMetricMenu(document.getElementById("overview-metric"));
   const head = document.createElement("tr"), corner = document.createElement("th");
   corner.scope = "col";
   corner.textContent = "Technique";
@@ -177,10 +156,11 @@ function makeOverview() {
   drawOverview();
 }
 
-// After the page stands: thumbnails, then the worst places, one after the other so that nothing waits for them.
+// After the page stands: thumbnails as they are unpacked, then the worst places and the front.
 async function fillOverview() {
-  const canvases = document.querySelectorAll("#overview-map thead canvas");
-  for (let scene = 0; scene < canvases.length; ++scene) await drawThumbnail(canvases[scene], scene);
+  await Promise.all(Array.from(document.querySelectorAll("#overview-map thead canvas"), drawThumbnail));
   await fillWorstPlaces();
+  frontOwner.isWanted = true;
+  drawFront();
   document.getElementById("overview").dataset.ready = "yes";
 }

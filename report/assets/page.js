@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Theme, links into the page, and viewers that are made when they come into sight.
 
-const kShortTable = 40;  // rows that are shown unfolded
-
 let isDark = matchMedia("(prefers-color-scheme: dark)").matches;
 
 function applyTheme() {
@@ -72,9 +70,14 @@ function followLink() {
   viewer.root.focus({preventScroll: true});
 }
 
+function focusFilter() {
+  document.getElementById("all-runs").open = true;
+  document.getElementById("filter").focus();
+}
+
 function onPageKey(event) {
   if (event.ctrlKey || event.metaKey || event.altKey || event.target.closest("input, select")) return;
-  const actions = {t: toggleTheme, "?": () => document.getElementById("keys").showModal(), "/": () => document.getElementById("filter").focus()};
+  const actions = {t: toggleTheme, "?": () => document.getElementById("keys").showModal(), "/": focusFilter};
   if (!actions[event.key]) return;
   event.preventDefault();
   actions[event.key]();
@@ -96,13 +99,13 @@ function start() {
   makeBenches();
   makeStress();
   makeSweeps();
-  for (const table of document.querySelectorAll("table.sortable")) listenToHeadings(table);
-  if (page.texts) listenToFilter(document.getElementById("results"));
+  for (const table of document.querySelectorAll("table.sortable:not(#results)")) listenToHeadings(table);
   for (const table of document.querySelectorAll("table[role=grid]")) listenToMap(table);
   makeOverview();
-  const isShort = document.querySelectorAll("#results tbody tr").length <= kShortTable;
-  document.getElementById("all-runs").open = isShort;
-  window.addEventListener("beforeprint", () => { for (const folded of document.querySelectorAll("#all-runs, .made")) folded.open = true; });
+  window.addEventListener("beforeprint", () => {
+    fillAllRuns();
+    for (const folded of document.querySelectorAll("#all-runs, .made")) folded.open = true;
+  });
   fillContents();
   applyTheme();
   document.getElementById("theme").addEventListener("click", toggleTheme);

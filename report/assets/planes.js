@@ -31,10 +31,21 @@ async function packedPlanes(id) {
   });
 }
 
+function bytesOf(base64) {
+  const letters = atob(base64), bytes = new Uint8Array(letters.length);
+  for (let i = 0; i < letters.length; ++i) bytes[i] = letters.charCodeAt(i);
+  return bytes;
+}
+
+// Without Blob and Response, which go through another process each time.
 async function inflate(base64) {
-  const bytes = Uint8Array.from(atob(base64), letter => letter.charCodeAt(0));
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
-  return new Uint8Array(await new Response(stream).arrayBuffer());
+  const {writable, readable} = new DecompressionStream("deflate"), writer = writable.getWriter(), reader = readable.getReader(), parts = [];
+  const written = writer.write(bytesOf(base64)).then(() => writer.close());
+  for (let part = await reader.read(); !part.done; part = await reader.read()) parts.push(part.value);
+  await written;
+  const whole = new Uint8Array(parts.reduce((sum, part) => sum + part.length, 0));
+  parts.reduce((at, part) => { whole.set(part, at); return at + part.length; }, 0);
+  return whole;
 }
 
 function halfToNumber(half) {
@@ -54,15 +65,17 @@ function decodeWords(bytes, code) {
   return values;
 }
 
-// {name: Float32Array, or Uint8Array of classes} of a scene or run of page.scenes: all planes, or those of `wanted` that it has.
-async function decodePlanes(entry, wanted = Object.keys(entry.planes)) {
-  const packed = await packedPlanes(entry.id);
-  const names = wanted.filter(name => entry.planes[name]);
+async function unpack(codes, packed, names) {
   const planes = await Promise.all(names.map(async name => {
     const bytes = await inflate(packed[name]);
-    return entry.planes[name].bytes ? bytes : decodeWords(bytes, entry.planes[name]);
+    return codes[name].bytes ? bytes : decodeWords(bytes, codes[name]);
   }));
   return Object.fromEntries(names.map((name, k) => [name, planes[k]]));
+}
+
+// {name: Float32Array, or Uint8Array of classes} of a scene or run of page.scenes: all planes, or those of `wanted` that it has.
+async function decodePlanes(entry, wanted = Object.keys(entry.planes)) {
+  return unpack(entry.planes, await packedPlanes(entry.id), wanted.filter(name => entry.planes[name]));
 }
 
 // Decoded planes of a scene, once for all who look at it.
@@ -72,7 +85,7 @@ function scenePlanes(sceneIndex) {
   return keptScenes.get(sceneIndex);
 }
 
-// What a lit picture of the truth needs; all that a thumbnail or a crop decodes.
+// What a lit picture of the truth needs; all that a crop decodes.
 function litPlanes(sceneIndex) {
   return keptScenes.get(sceneIndex) ?? decodePlanes(page.scenes[sceneIndex], ["visibility", "hit", "unshadowed"]);
 }

@@ -25,7 +25,8 @@ function caseRow(one) {
           numberCell("rmse_before", one.before?.rmse?.value, intervalText(one.before?.rmse)), numberCell("rmse_now", one.now?.rmse?.value, intervalText(one.now?.rmse)),
           numberCell("severity", worst, worst === null ? "n/a" : worst.toFixed(2)),
           textCell(foldedText([one.message, ...one.notes].filter(text => text).join("; ")), "remarks"),
-          textCell(`${one.samples_per_pixel} samples per pixel, ${one.added_samples_per_pixel} of them added; ${one.pictures} pictures`, "context")];
+          numberCell("samples", one.samples_per_pixel, one.added_samples_per_pixel > 0 ? `${one.samples_per_pixel} (${one.added_samples_per_pixel} added)` : String(one.samples_per_pixel)),
+          numberCell("pictures", one.pictures, String(one.pictures))];
 }
 
 function gateDetails(one) {
@@ -43,7 +44,7 @@ function makeRegress() {
     const summary = checkSummary(check);
     verdict.append(element("p", {class: check.passes ? "passes" : "problem"}, `${check.passes ? "Passes" : "Fails"}: ${summary}.`));
     const order = ["fail", "undecided", "better", "pass"], cases = [...check.cases].sort((a, b) => order.indexOf(a.outcome) - order.indexOf(b.outcome));
-    section.append(makeTable("Before and after", ["Scene", "Run", "Verdict", "#RMSE before [95 %]", "#RMSE now [95 %]", "#Nearest to a gate", "Remarks", "Effort"], cases.map(caseRow)),
+    section.append(makeTable("Before and after", ["Scene", "Run", "Verdict", "#RMSE before [95 %]", "#RMSE now [95 %]", "#Allowance used", "Remarks", "#Samples per pixel", "#Pictures"], cases.map(caseRow)),
                    ...cases.map(gateDetails).filter(one => one));
   }
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page's first words, the table of all runs, the legend, and what was skipped.
 
+const kShortTable = 40;  // rows that are shown unfolded
+
 // Column, heading and kind of the summary table's cells; the words are report/table.h's.
 const kColumns = [["total_ms", "#Time"], ["rmse", "#RMSE [95 %]"], ["penumbra_rmse", "#Penumbra RMSE"], ["worst_fault", "#Worst fault"], ["verdict", "Verdict"],
                   ["wrong_pixels", "#Wrong pixels"], ["bias", "#Mean error"], ["over_shadowing", "#Over-shadowing"], ["under_shadowing", "#Under-shadowing"],
@@ -27,10 +29,21 @@ function fillSummary() {
   verdicts.append(...summary.problems.map(text => element("p", {class: "problem"}, text)), element("p", {}, summary.counts));
   const troubled = summary.scenes.flatMap((problem, index) => problem ? [element("li", {}, element("a", {href: `#scene-${index + 1}`}, results.scenes[index].name), `: ${problem}`)] : []);
   if (troubled.length > 0) verdicts.append(element("ul", {}, ...troubled));
+  const folded = document.getElementById("all-runs");
+  folded.addEventListener("toggle", fillAllRuns);
+  folded.open = results.scenes.reduce((sum, scene) => sum + scene.techniques.length, 0) <= kShortTable;
+  if (folded.open) fillAllRuns();
+}
+
+// The table of all runs, once, when it is unfolded or printed.
+function fillAllRuns() {
+  if (document.getElementById("results") || !page.texts) return;
   const heads = ["Scene", "Technique", ...kColumns.map(([, heading]) => heading)], box = makeTable("Summary table", heads, []), table = box.querySelector("table");
   table.id = "results";
   results.scenes.forEach((scene, s) => scene.techniques.forEach((run, k) => table.tBodies[0].append(summaryRow(s, k))));
   document.getElementById("all-runs").append(box);
+  listenToHeadings(table);
+  listenToFilter(table);
 }
 
 function swatchList(entries) {
@@ -53,9 +66,20 @@ function fillSkipped() {
   document.getElementById("skipped").append(skipped.length ? element("ul", {}, ...skipped.map(text => element("li", {}, text))) : element("p", {}, "Nothing was skipped."));
 }
 
+// What the page is of: runs against the truth, or what another command left alone.
+function pageTitle() {
+  const kAll = "Shadow techniques against the truth";
+  if (page.texts) return kAll;
+  const titles = [...page.regressions.map(check => `Regression: ${check.suite}`), ...page.benches.map(study => study.title || study.file),
+                  ...new Set(page.tunings.map(tuning => `${tuning.technique} tuned on ${tuning.scenes.join(", ")}`)), ...page.stresses.map(map => map.title)];
+  return titles.length === 1 ? titles[0] : kAll;
+}
+
 // Everything that results.json gives in words; the parts stay hidden without it.
 function fillTexts() {
-  document.getElementById("context").textContent = page.texts?.context ?? "No results.json here: numbers of other commands alone.";
+  document.getElementById("context").textContent = page.texts?.context ?? "";
+  document.getElementById("context").hidden = !page.texts;
+  document.title = document.querySelector("h1").textContent = pageTitle();
   for (const id of ["summary", "legend", "skipped"]) document.getElementById(id).hidden = !page.texts;
   if (!page.texts) return;
   fillSummary();

@@ -39,13 +39,9 @@ function worstWindow(entry, planes, run, classIndex, size) {
   return best;
 }
 
-function cropCanvas(bitmap, window, size, label) {
-  const canvas = document.createElement("canvas"), kScale = 2;
-  canvas.width = kScale * size.width;
-  canvas.height = kScale * size.height;
-  const context = canvas.getContext("2d");
-  context.imageSmoothingEnabled = false;
-  context.drawImage(bitmap, window.x, window.y, size.width, size.height, 0, 0, canvas.width, canvas.height);
+// The window's pixels alone, of a picture `width` wide.
+function cropCanvas(colourAt, window, size, width, label) {
+  const canvas = paintBitmap(size.width, size.height, i => colourAt((window.y + Math.floor(i / size.width)) * width + window.x + i % size.width));
   canvas.setAttribute("role", "img");
   canvas.setAttribute("aria-label", label);
   return canvas;
@@ -92,7 +88,6 @@ async function worstFigure(place) {
   size.height = Math.min(Math.round(0.75 * size.width), entry.height);
   const window = worstWindow(entry, planes, pixels, palette.faults.findIndex(one => one.name === place.fault.name), size);
   const shown = {scene: planes, run: pixels, other: planes, isReference: true};
-  const bitmap = colour => paintBitmap(entry.width, entry.height, colour);
   const white = litScale(planes);
   const parts = [["truth", litColour(planes, planes, white)], [run.label, litColour(pixels, planes, white)],
                  ["error", i => layers.error.colour(shown, i)]];
@@ -105,7 +100,7 @@ async function worstFigure(place) {
   for (const [label, colour] of parts) {
     const box = document.createElement("div"), title = document.createElement("span");
     title.textContent = label;
-    box.append(cropCanvas(bitmap(colour), window, size, `${label}, ${link.textContent}`), title);
+    box.append(cropCanvas(colour, window, size, entry.width, `${label}, ${link.textContent}`), title);
     row.append(box);
   }
   const texts = worstSentences(scene, run, place.fault).map(sentence => {

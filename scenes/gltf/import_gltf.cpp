@@ -2,8 +2,11 @@
 #include "scenes/gltf/import_gltf.h"
 
 #include "core/error.h"
+#include "core/toml_text.h"
 #include "scenes/gltf/gltf_mesh.h"
 #include "scenes/gltf/tinygltf.h"
+#include "scenes/read_light.h"
+#include "scenes/scene_text.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -19,13 +22,15 @@ using glm::dvec3;
 constexpr double kRadius_world = 0.05;  // of a lamp that has no size
 constexpr double kSun_deg = 0.53;       // the real one's
 
-std::string quoted(const std::string& text) {
-  return nlohmann::json(text).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
-}
-
-/// Numbers as they are read back: 17 digits where needed, without an exponent that TOML does not know.
-std::string list(const dvec3& v) {
-  return fmt::format("[{}, {}, {}]", v.x + 0.0, v.y + 0.0, v.z + 0.0);
+/// Its tangent is the one that follows from the direction.
+Light light_of(std::string name, LightType type, const dvec3& center, const dvec3& direction) {
+  Light light;
+  light.name = std::move(name);
+  light.type = type;
+  light.center_world = center;
+  light.direction_world = direction;
+  light.tangent_world = default_tangent(direction);
+  return light;
 }
 
 class Importer {
@@ -43,10 +48,11 @@ class Importer {
   }
 
   ImportedScene run() {
-    imported_.toml = fmt::format("title = {}\n", quoted(file_.path.stem().string()));
+    imported_.toml = fmt::format("title = {}\n", toml_string(file_.path.stem().string()));
     add_cameras();
-    imported_.toml += fmt::format("\n[[mesh]]\nname = {}\nfile = {}\n", quoted(file_.path.stem().string()),
-                                  quoted(mesh_file_.generic_string()));
+    imported_.toml +=
+        fmt::format("\n[[mesh]]\nname = {}\nfile = {}\n", toml_string(file_.path.stem().string()),
+                    toml_string(mesh_file_.generic_string()));
     add_lights();
     return std::move(imported_);
   }
@@ -68,9 +74,10 @@ class Importer {
     const dvec3 forward = glm::normalize(-dvec3(node.world_from_node[2]));
     const double ahead = glm::dot(middle() - eye, forward);
     const double distance = ahead > 0.0 ? ahead : 1.0;
-    return fmt::format("[camera]\neye = {}\nat = {}\nup = {}\nfov_deg = {}\n", list(eye),
-                       list(eye + distance * forward), list(glm::normalize(dvec3(node.world_from_node[1]))),
-                       glm::degrees(camera.yfov));
+    return "[camera]\n" + camera_keys({.eye_world = eye,
+                                       .at_world = eye + distance * forward,
+                                       .up_world = glm::normalize(dvec3(node.world_from_node[1])),
+                                       .vertical_fov_deg = glm::degrees(camera.yfov)});
   }
 
   static std::string commented(const std::string& text) {
@@ -100,8 +107,8 @@ class Importer {
     if (!names.empty()) return;
     warn("it has no camera; the scene is seen from a corner");
     const double size = glm::length(bounds_.max - bounds_.min);
-    imported_.toml += fmt::format("\n[camera]\neye = {}\nat = {}\nfov_deg = 45\n",
-                                  list(middle() + size * dvec3(0.7, 0.6, 0.9)), list(middle()));
+    imported_.toml += "\n[camera]\n" + camera_keys({.eye_world = middle() + size * dvec3(0.7, 0.6, 0.9),
+                                                    .at_world = middle()});
   }
 
   /// A number in the node's extras, else in the light's.
@@ -145,17 +152,15 @@ class Importer {
                                                           : light.type);
     const dvec3 center(node.world_from_node[3]);
     const dvec3 forward = glm::normalize(-dvec3(node.world_from_node[2]));
-    std::string text = fmt::format("\n[[light]]\nname = {}\n", quoted(name));
+    Light found = light_of(name, LightType::sun, center, forward);
     const auto size = extra_size(node, light);
     if (light.type == "directional") {
-      const double diameter_deg =
-          known_or(extra(node, light, "angular_diameter_deg"), kSun_deg, name, "angular diameter in degrees");
-      text += fmt::format("type = \"sun\"\ndirection = {}\nangular_diameter_deg = {}\n", list(forward),
-                          diameter_deg);
+      found.half_angle_rad = 0.5 * glm::radians(known_or(extra(node, light, "angular_diameter_deg"), kSun_deg,
+                                                         name, "angular diameter in degrees"));
     } else if (size) {
-      text += fmt::format("type = \"rect\"\ncenter = {}\ndirection = {}\ntangent = {}\nsize = [{}, {}]\n",
-                          list(center), list(forward), list(glm::normalize(dvec3(node.world_from_node[0]))),
-                          size->x, size->y);
+      found.type = LightType::rect;
+      found.tangent_world = glm::normalize(dvec3(node.world_from_node[0]));
+      found.size_world = *size;
     } else {
       const bool is_spot = light.type == "spot";
       if (!is_spot && light.type != "point") {
@@ -168,10 +173,10 @@ class Importer {
       // A sphere's direction is where its maps look: at the scene.
       const dvec3 to_middle = middle() - center;
       const dvec3 direction = is_spot || glm::length(to_middle) == 0.0 ? forward : glm::normalize(to_middle);
-      text += fmt::format("type = \"{}\"\ncenter = {}\ndirection = {}\nradius = {}\n",
-                          is_spot ? "disk" : "sphere", list(center), list(direction), radius);
+      found = light_of(name, is_spot ? LightType::disk : LightType::sphere, center, direction);
+      found.radius_world = radius;
     }
-    imported_.toml += text;
+    imported_.toml += "\n[[light]]\n" + light_keys(found);
   }
 
   void add_lights() {
@@ -187,8 +192,9 @@ class Importer {
     }
     if (!light_names_.empty()) return;
     warn("it has no light (KHR_lights_punctual); a sun stands high");
-    imported_.toml += fmt::format(
-        "\n[[light]]\ntype = \"sun\"\ndirection = [-0.4, -1, -0.3]\nangular_diameter_deg = {}\n", kSun_deg);
+    Light sun = light_of({}, LightType::sun, {}, glm::normalize(dvec3(-0.4, -1, -0.3)));
+    sun.half_angle_rad = 0.5 * glm::radians(kSun_deg);
+    imported_.toml += "\n[[light]]\n" + light_keys(sun);
   }
 
   GltfFile file_;

@@ -2,6 +2,7 @@
 #include "study/regress/baseline.h"
 
 #include "core/toml.h"
+#include "core/toml_text.h"
 
 #include <fmt/format.h>
 
@@ -18,32 +19,16 @@ constexpr const char* kHead =
     "# 'umbrameter regress check --update --reason TEXT'; visibility errors are against physical truth, not "
     "pictures.\n";
 
-/// A basic TOML string.
-std::string quoted(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') {
-      out += '\\';
-      out += c;
-    } else if (byte < 0x20 || byte == 0x7F) {
-      out += fmt::format("\\u{:04X}", byte);
-    } else {
-      out += c;
-    }
-  }
-  return out + "\"";
-}
-
 std::string number(double value) {
   return fmt::format("{:.6g}", value);
 }
 
 std::string reason_text(const BaselineReason& reason) {
   std::string changed;
-  for (const std::string& what : reason.changed) changed += (changed.empty() ? "" : ", ") + quoted(what);
+  for (const std::string& what : reason.changed) changed += (changed.empty() ? "" : ", ") + toml_string(what);
   return fmt::format("\n[[reason]]\ndate = {}\ntext = {}\nversion = {}\nchanged = [{}]\n",
-                     quoted(reason.date), quoted(reason.text), quoted(reason.version), changed);
+                     toml_string(reason.date), toml_string(reason.text), toml_string(reason.version),
+                     changed);
 }
 
 std::string mean_text(const MeanWithNoise& mean) {
@@ -54,7 +39,7 @@ std::string truth_text(const TruthNumbers& truth) {
   return fmt::format(
       "[scene.truth]\nhash = {}\ndevice = {}\nseed = {}\nsamples_per_pixel = {}\nvisibility = {}\npenumbra = "
       "{}\n",
-      quoted(truth.hash), quoted(truth.device), truth.seed, number(truth.samples_per_pixel),
+      toml_string(truth.hash), toml_string(truth.device), truth.seed, number(truth.samples_per_pixel),
       mean_text(truth.visibility), mean_text(truth.penumbra));
 }
 
@@ -66,9 +51,9 @@ std::string run_text(const BaselineRun& run) {
       "{}\n"
       "# RMSE {:.5f} [{:.5f}, {:.5f}]\n"
       "mse = {{ value = {}, low = {}, high = {}, noise_sd = {}, seed_sd = {} }}\n",
-      quoted(run.label), quoted(run.technique), quoted(run.hash), quoted(run.parameters), quoted(run.device),
-      n.scored_pixels, rmse.value, rmse.low, rmse.high, number(n.mse.value), number(n.mse.low),
-      number(n.mse.high), number(n.noise_sd), number(n.seed_sd));
+      toml_string(run.label), toml_string(run.technique), toml_string(run.hash), toml_string(run.parameters),
+      toml_string(run.device), n.scored_pixels, rmse.value, rmse.low, rmse.high, number(n.mse.value),
+      number(n.mse.low), number(n.mse.high), number(n.noise_sd), number(n.seed_sd));
   if (run.time)
     text += fmt::format("time = {{ median_ms = {}, mad_ms = {}, frames = {} }}\n",
                         number(run.time->median_ms), number(run.time->mad_ms), run.time->frames);
@@ -217,12 +202,13 @@ void put_run(BaselineScene& scene, BaselineRun run) {
 std::string to_toml_text(const Baseline& baseline) {
   std::string text = kHead;
   text += fmt::format("schema = {}\nsuite = {}\nwidth_px = {}\nheight_px = {}\n", kBaselineSchema,
-                      quoted(baseline.suite), baseline.width_px, baseline.height_px);
+                      toml_string(baseline.suite), baseline.width_px, baseline.height_px);
   for (const BaselineReason& reason : baseline.reasons) text += reason_text(reason);
   std::vector<BaselineScene> scenes = baseline.scenes;
   std::ranges::sort(scenes, {}, &BaselineScene::name);
   for (const BaselineScene& scene : scenes) {
-    text += fmt::format("\n[[scene]]\nname = {}\nhash = {}\n", quoted(scene.name), quoted(scene.hash));
+    text +=
+        fmt::format("\n[[scene]]\nname = {}\nhash = {}\n", toml_string(scene.name), toml_string(scene.hash));
     text += truth_text(scene.truth);
     for (const BaselineRun& run : scene.runs) text += run_text(run);
   }

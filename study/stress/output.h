@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// A stress run as others read it: people, programs, a browser.
+// A stress run as others read it: people, and programs such as the page of report/.
 
 #include "study/stress/summary.h"
 
@@ -17,9 +17,6 @@ std::string stress_markdown(const StressResults& results);
 
 /// stress.json.
 std::string stress_json(const StressResults& results);
-
-/// The stability map: a page that needs nothing else.
-std::string stress_html(const StressResults& results);
 
 /// One line: counts and settings.
 std::string stress_summary(const StressResults& results);

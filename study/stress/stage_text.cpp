@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/stress/stage_text.h"
 
+#include "core/toml_text.h"
+
 #include <fmt/format.h>
 
 namespace umbrameter {
 namespace {
-
-std::string vector_text(const glm::dvec3& v) {
-  return fmt::format("[{:.17g}, {:.17g}, {:.17g}]", v.x, v.y, v.z);
-}
 
 glm::dvec3 placed(const StageScene& stage, const glm::dvec3& p_world) {
   return stage.offset_world + stage.scale * p_world;
@@ -17,8 +15,8 @@ glm::dvec3 placed(const StageScene& stage, const glm::dvec3& p_world) {
 std::string camera_text(const StageScene& stage) {
   std::string text =
       fmt::format("[camera]\neye = {}\nat = {}\nup = {}\nfov_deg = {:.17g}\n",
-                  vector_text(placed(stage, stage.eye_world)), vector_text(placed(stage, stage.at_world)),
-                  vector_text(stage.up_world), stage.vertical_fov_deg);
+                  toml_vector(placed(stage, stage.eye_world)), toml_vector(placed(stage, stage.at_world)),
+                  toml_vector(stage.up_world), stage.vertical_fov_deg);
   if (stage.near_world) text += fmt::format("near = {:.17g}\n", *stage.near_world * stage.scale);
   return text;
 }
@@ -29,14 +27,14 @@ std::string light_text(const StageScene& stage) {
   if (stage.light_type == "sun") {
     text += fmt::format("angular_diameter_deg = {:.17g}\n", stage.sun_diameter_deg);
   } else {
-    text += fmt::format("center = {}\n", vector_text(placed(stage, stage.light_center_world)));
+    text += fmt::format("center = {}\n", toml_vector(placed(stage, stage.light_center_world)));
   }
   if (stage.light_type == "rect") text += fmt::format("size = [{:.17g}, {:.17g}]\n", size_world, size_world);
   if (stage.light_type == "disk" || stage.light_type == "sphere")
     text += fmt::format("radius = {:.17g}\n", 0.5 * size_world);
   const bool has_at = stage.light_at_world && stage.light_type != "sun";
-  return text + (has_at ? fmt::format("at = {}\n", vector_text(placed(stage, *stage.light_at_world)))
-                        : fmt::format("direction = {}\n", vector_text(stage.light_direction_world)));
+  return text + (has_at ? fmt::format("at = {}\n", toml_vector(placed(stage, *stage.light_at_world)))
+                        : fmt::format("direction = {}\n", toml_vector(stage.light_direction_world)));
 }
 
 }  // namespace
@@ -63,7 +61,7 @@ std::string to_toml(const StageScene& stage) {
   std::string text = camera_text(stage) + light_text(stage);
   for (const StageMesh& mesh : stage.meshes) {
     text += fmt::format("[[mesh]]\n{}scale = {:.17g}\ntranslate = {}\n", mesh.keys, stage.scale,
-                        vector_text(placed(stage, mesh.translate_world)));
+                        toml_vector(placed(stage, mesh.translate_world)));
   }
   return text + stage.more;
 }

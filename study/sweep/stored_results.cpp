@@ -76,7 +76,6 @@ std::optional<Results> stored_results(Store& store) {
   const Variety variety = variety_of(runs);
   Results results;
   results.commit = runs.front().head.commit;
-  results.quality = "of a store";
   results.picture = runs.front().head.picture;
   std::map<std::tuple<std::string, uint64_t, std::string, std::string>, size_t> scene_of_truth;
   for (RunRecord& run : runs) {

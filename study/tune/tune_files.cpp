@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/tune/tune_files.h"
 
+#include "core/toml_text.h"
 #include "core/version.h"
 #include "study/tune/engine_settings.h"
 
@@ -16,13 +17,9 @@ bool is_tuned(const TuneResult& result, const std::string& name) {
   return std::ranges::find(result.tuned, name) != result.tuned.end();
 }
 
-std::string toml_text(const ParameterValue& value) {
-  return std::holds_alternative<std::string>(value) ? "\"" + to_text(value) + "\"" : to_text(value);
-}
-
 /// Engines have dots in their names.
 std::string toml_key(const std::string& name) {
-  return name.find('.') == std::string::npos ? name : "\"" + name + "\"";
+  return name.find('.') == std::string::npos ? name : toml_string(name);
 }
 
 std::string summary(const TunePlan& plan, const TuneResult& result) {
@@ -53,7 +50,7 @@ std::string preset_toml(const TunePlan& plan, const TuneResult& result) {
   for (const Parameter& parameter : plan.parameters) {
     const ParameterValue& value = result.best.values.at(parameter.name);
     if (is_tuned(result, parameter.name) || value != parameter.default_value)
-      text += fmt::format("{} = {}\n", toml_key(parameter.name), toml_text(value));
+      text += fmt::format("{} = {}\n", toml_key(parameter.name), toml_value(value));
   }
   return text;
 }

@@ -75,7 +75,7 @@ TEST_F(Stress, TheSmallSuiteKeepsTheRules) {
     const Json truth = range(results, axis, "truth");
     EXPECT_TRUE(truth["break_before"].is_null() && truth["break_after"].is_null()) << truth.dump();
   }
-  for (const char* name : {"stress.json", "stress.html", "stress.md"})
+  for (const char* name : {"stress.json", "report.html", "stress.md"})
     EXPECT_TRUE(std::filesystem::exists(folder() / "o" / name)) << name;
 }
 

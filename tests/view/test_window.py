@@ -135,6 +135,86 @@ class WindowTest(unittest.TestCase):
                            cwd=self.folder, check=True)
         self.assert_same_pictures(self.folder / "window-part.png", self.folder / "rendered-part.png")
 
+    def pixels_of(self, picture):
+        """Rows of (red, green, blue)."""
+        plain = self.folder / "plain.ppm"
+        subprocess.run(["oiiotool", str(picture), "--ch", "0,1,2", "-d", "uint8", "-o", str(plain)], check=True)
+        _magic, width, _height, _most, rest = plain.read_bytes().split(maxsplit=4)
+        pixels = list(zip(rest[0::3], rest[1::3], rest[2::3]))
+        return [pixels[begin:begin + int(width)] for begin in range(0, len(pixels), int(width))]
+
+    def test_another_scene_is_opened_as_if_it_were_the_first(self):
+        self.follow("wait full\nset filter_taps 32\nlayer visibility\nlayout technique\nopen under_a_bulb\nwait full\nframes 2\n"
+                    "picture opened.png\npreset opened.preset.toml\nscene opened.toml\nopen fence\nopen plate\nwait full\nframes 1\n")
+        self.assertIn("filter_taps = 32\n", (self.folder / "opened.preset.toml").read_text())  # what means the same there stays
+        self.assert_same_pictures(self.folder / "opened.png", self.render("under_a_bulb", "pcss", "opened.preset.toml"))
+        self.assertIn('title = "Bulb in a room"', (self.folder / "opened.toml").read_text())
+
+    def test_scene_that_is_none_leaves_the_one_that_is_shown(self):
+        (self.folder / "script.txt").write_text("wait full\nopen no_such_scene\n")
+        done = subprocess.run([*self.arguments("plate"), "--script", "script.txt"], cwd=self.folder, env=environment(),
+                              capture_output=True, text=True, timeout=120)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("no_such_scene", done.stderr)
+
+    def test_scenes_are_picked_with_the_mouse(self):
+        with self.opened() as (process, window):
+            xdotool("key", "F2")
+            self.saved("plate-pcss-1.png")
+            xdotool("mousemove", "--window", window, WIDTH + 150, 18)
+            time.sleep(0.3)
+            xdotool("click", 1)
+            time.sleep(0.5)
+            xdotool("mousemove", "--window", window, WIDTH + 150, 48)
+            time.sleep(0.3)
+            xdotool("click", 1)
+            self.wait_for(lambda: xdotool("getwindowname", window) not in ("", "Umbrameter: plate"))
+            name = xdotool("getwindowname", window).removeprefix("Umbrameter: ")
+            xdotool("mousemove", "--window", window, WIDTH // 2, HEIGHT // 2)
+            xdotool("key", "F2")
+            self.saved(f"{name}-*-1.png")
+            xdotool("key", "ctrl+q")
+            self.assertEqual(process.wait(timeout=30), 0, process.stderr.read())
+
+    def test_cascades_are_coloured(self):
+        self.follow("wait full\nlayout technique\ntechnique hard_cascades\nwait full\npicture plain.png\nframes 1\n"
+                    "key C\nwait full\nframes 5\npicture maps.png\nframes 1\n", scene="long_street")
+        plain, coloured = (self.pixels_of(self.folder / name) for name in ("plain.png", "maps.png"))
+        # .45 of the map's colour over .55 of the picture; Okabe and Ito's first four
+        found = set()
+        for row, (below, over) in enumerate(zip(plain, coloured)):
+            for before, after in zip(below, over):
+                for number, colour in enumerate(((230, 159, 0), (86, 180, 233), (0, 158, 115), (240, 228, 66))):
+                    if all(abs(0.55 * b + 0.45 * c - a) <= 1 for b, c, a in zip(before, colour, after)):
+                        found.add((number, row))
+        rows = [[row for number, row in found if number == cascade] for cascade in range(3)]
+        self.assertTrue(all(rows), f"cascades seen: {sorted({number for number, _row in found})}")
+        # The first is nearest to the camera: lowest in a picture of a street.
+        self.assertGreater(max(rows[0]), max(rows[1]))
+        self.assertGreater(max(rows[1]), max(rows[2]))
+
+    def test_frame_graph_times_every_pass_and_shows_its_textures(self):
+        self.follow("technique pcss\nwait full\nunfold passes\nframes 3\nwait full\nframes 60\nwindow graph.png\n"
+                    "layout resource\nframes 20\nwindow texture.png\nframes 1\n")
+        graph, texture = (self.pixels_of(self.folder / name) for name in ("graph.png", "texture.png"))
+        self.assertNotEqual([row[:WIDTH] for row in graph], [row[:WIDTH] for row in texture])
+
+    def test_light_is_turned_by_a_drag_with_shift(self):
+        with self.opened() as (process, window):
+            xdotool("key", "ctrl+s")
+            before = self.saved("plate-pcss-1.toml").read_text()
+            xdotool("mousemove", "--window", window, WIDTH // 4, HEIGHT // 2)
+            xdotool("keydown", "shift", "mousedown", 1)
+            xdotool("mousemove_relative", "--sync", 40, 10)
+            xdotool("mouseup", 1, "keyup", "shift")
+            xdotool("key", "ctrl+s")
+            after = self.saved("plate-pcss-2.toml").read_text()
+            value = lambda key, text: re.search(rf"^{key} = (.*)$", text, re.M)[1]  # noqa: E731
+            self.assertEqual(value("eye", before), value("eye", after))
+            self.assertNotEqual(value("center", before), value("center", after))
+            xdotool("key", "ctrl+q")
+            self.assertEqual(process.wait(timeout=30), 0, process.stderr.read())
+
     def test_saved_study_runs(self):
         self.follow("wait full\nstudy saved.study.toml\nframes 1\n")
         done = self.run_program("plan", "saved.study.toml", "--json")

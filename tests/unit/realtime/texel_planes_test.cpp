@@ -77,5 +77,16 @@ TEST(TexelPlanes, background_and_what_lies_behind_the_light_have_none) {
   for (const float width : image.plane("texel_world")) EXPECT_EQ(width, 0.0f);
 }
 
+TEST(TexelPlanes, each_point_is_told_by_the_first_map_that_covers_it) {
+  FittedView beside = view_down(true);
+  beside.view.lateral_bounds = {5.0f, 5.0f, 6.0f, 6.0f};
+  const std::array maps{beside, view_down(true), view_down(true)};
+  const Image inside = map_indices(maps, points({0.5f, -4.0f, 1.0f})),
+              outside = map_indices(maps, points({3.0f, -4.0f, 1.0f}));
+  EXPECT_EQ(inside.plane("Y")[0], 1.0f);
+  EXPECT_EQ(inside.plane("Y")[1], -1.0f);  // background
+  EXPECT_EQ(outside.plane("Y")[0], -1.0f);
+}
+
 }  // namespace
 }  // namespace umbrameter

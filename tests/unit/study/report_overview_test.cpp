@@ -42,6 +42,31 @@ TEST_F(ReportOverview, ShowsEveryRunOnceSortedByItsError) {
   EXPECT_EQ(rows.back()[1], "n/a");  // what failed comes last
 }
 
+TEST_F(ReportOverview, ShowsAnyMetricThatWasMeasuredAndNoOther) {
+  const std::string choose =
+      "(name => { const menu = document.getElementById('overview-metric'); menu.value = name; "
+      "menu.dispatchEvent(new Event('input')); return " +
+      kRows + "; })";
+  const Json seen =
+      visit({evaluate(overview_ready()),
+             evaluate("[...document.getElementById('overview-metric').options].map(one => one.value)"),
+             evaluate(choose + "('largest')"), evaluate(choose + "('memory')")});
+  EXPECT_EQ(seen["console"], Json::array());
+  const Json results = Json::parse(read_file(place("results.json")));
+  const auto has = [&](const char* name) {
+    return std::ranges::find(seen["values"][0], Json(name)) != seen["values"][0].end();
+  };
+  EXPECT_TRUE(has("rmse") && has("penumbra") && has("largest") && has("fault") && has("time") &&
+              has("memory"));
+  EXPECT_FALSE(has("flicker")) << "no sequence was rendered";
+  for (const Json& row : seen["values"][1]) {
+    for (const auto& run : results["scenes"][0]["techniques"]) {
+      if (run["label"] != row[0] || run["error"].is_null()) continue;
+      EXPECT_NEAR(std::stod(row[1].get<std::string>()), run["error"]["max_error"], 0.5e-3 + 1e-9) << row;
+    }
+  }
+}
+
 TEST_F(ReportOverview, LeadsFromACellToItsPicture) {
   const Json seen =
       visit({evaluate(overview_ready()),

@@ -12,6 +12,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 namespace umbrameter {
 namespace {
@@ -75,6 +76,21 @@ TEST_F(ViewFiles, SavedSceneFindsMeshesThatLayBesideItsOwn) {
   EXPECT_EQ(load(place("elsewhere/saved.toml")).triangles.size(), 1u);
 }
 
+TEST_F(ViewFiles, SceneInOneLineIsRefusedInsteadOfLosingItsCamera) {
+  write_file_atomically(
+      place("own.toml"),
+      "camera = { eye = [0, 3, 3], at = [0, 0, 0] }\n[[mesh]]\nname = \"t\"\nshape = \"plane\"\n"
+      "size = [1, 1]\n[[light]]\ntype = \"sphere\"\ncenter = [0, 2, 0]\nradius = 0.1\n"
+      "direction = [0, -1, 0]\n");
+  const Scene scene = load(place("own.toml"));
+  try {
+    scene_toml(place("own.toml"), place("saved.toml"), scene.camera, scene.light());
+    FAIL() << "saved";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("[camera] is not a table of its own"));
+  }
+}
+
 TEST_F(ViewFiles, PathComesBackToTheLastBitAndIsLinearBetween) {
   Camera first, second;
   first.near_world = second.near_world = 0.01;
@@ -128,6 +144,20 @@ TEST(LightEdit, AtTheCameraItFacesWhatTheCameraSees) {
   EXPECT_NEAR(glm::dot(moved.tangent_world, moved.direction_world), 0.0, 1e-15);
   EXPECT_NEAR(glm::length(moved.bitangent_world), 1.0, 1e-15);
   EXPECT_EQ(moved.size_world, light.size_world);
+}
+
+TEST(LightEdit, ADragToTheRightTakesTheLightThere) {
+  Camera camera;  // at z = 1, looking along -z: right is +x
+  Light light;
+  light.center_world = {0, 0, 0.5};  // between the camera and what it looks at
+  light.direction_world = {0, 0, -1};
+  light.tangent_world = {1, 0, 0};
+  const Light right = swung(light, camera, glm::radians(90.0), 0.0),
+              up = swung(light, camera, 0.0, glm::radians(90.0));
+  EXPECT_LT(glm::distance(right.center_world, glm::dvec3(0.5, 0, 0)), 1e-12);
+  EXPECT_LT(glm::distance(right.direction_world, glm::dvec3(-1, 0, 0)),
+            1e-12);  // as it faced the middle before
+  EXPECT_LT(glm::distance(up.center_world, glm::dvec3(0, 0.5, 0)), 1e-12);
 }
 
 TEST(LightEdit, StraightDownKeepsItsTangent) {

@@ -71,6 +71,22 @@ TEST(Paint, FaultsLieOverTheLitPicture) {
             first_pixel(paint(Layer::lit, {test, nullptr, {}, {}}, {})));
 }
 
+TEST(Paint, MapsColourWhatIsLookedUpInThem) {
+  const Image test = two_pixels(1.0f);
+  Image second(2, 1), none(2, 1);
+  second.add_plane("Y", 1.0f);
+  none.add_plane("Y", -1.0f);
+  const auto colour = [&](const Image* maps) {
+    return first_pixel(paint(Layer::maps, {test, nullptr, {}, {}, maps}, {}));
+  };
+  const Rgb8 plain = first_pixel(paint(Layer::lit, {test, nullptr, {}, {}}, {}));
+  EXPECT_EQ(colour(nullptr), plain);
+  EXPECT_EQ(colour(&none), plain);
+  // .55 of white, .45 of the second map's colour
+  for (size_t k = 0; k < 3; ++k)
+    EXPECT_NEAR(colour(&second)[k], 0.55 * plain[k] + 0.45 * map_colour(1)[k], 0.51);
+}
+
 TEST(Paint, ResourceRunsFromItsLeastToItsGreatestValue) {
   Image resource(3, 1);
   const std::span<float> values = resource.add_plane("Y");
