@@ -52,7 +52,7 @@ TEST_F(Commands, ListsAreOneJsonObject) {
 }
 
 TEST_F(Commands, APlanNamesWhatRunsAndWhatIsSkippedAndWhy) {
-  // Three techniques render from points of a flat light or the sun, and cascades are the sun's; fence has a sphere light.
+  // Three techniques render from points of a flat light or the sun, four are the sun's alone; fence has a sphere light.
   const Json plan =
       Json::parse(umbrameter({"scene", "plan", "fence", "--quality", "quick", "--json"}).out)["scenes"][0];
   EXPECT_EQ(plan["most_shadow_rays"], 480 * 270 * 256);
@@ -60,7 +60,7 @@ TEST_F(Commands, APlanNamesWhatRunsAndWhatIsSkippedAndWhy) {
   std::vector<std::string> skipped;
   for (const Json& skip : plan["skips"]) skipped.push_back(skip["technique"]);
   ASSERT_EQ(skipped, (std::vector<std::string>{"accumulate", "backprojection", "hard_cascades",
-                                               "pcf_cascades", "pcss_cascades", "planar"}));
+                                               "pcf_cascades", "pcss_cascades", "pcss_cone", "planar"}));
   EXPECT_EQ(plan["skips"][0]["reason"], "does not support sphere lights");
 }
 

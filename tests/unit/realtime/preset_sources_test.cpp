@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -45,6 +47,22 @@ constexpr const char* kBevy = "bevy/crates/bevy_pbr/src/render/shadow_sampling.w
 constexpr const char* kBevyLight = "bevy/crates/bevy_pbr/src/light/directional_light.rs";
 constexpr const char* kThreeExample = "three.js/examples/webgl_shadowmap_pcss.html";
 constexpr const char* kFilament = "filament/shaders/src/surface_shadowing.fs";
+// bgfx: the first 16 taps of a Vogel disk made for 10 reach the root of 1.6 times its radius.
+const double kBgfxDisk = std::sqrt(16.0 / 10.0);
+constexpr const char* kBgfx = "bgfx/examples/16-shadowmaps/common.sh";
+constexpr const char* kBgfxSettings = "bgfx/examples/16-shadowmaps/shadowmaps.cpp, m_xOffset";
+constexpr const char* kPlayCanvasSun =
+    "engine/src/scene/shader-lib/glsl/chunks/lit/frag/lighting/shadowSoft.js";
+constexpr const char* kPlayCanvasLamp =
+    "engine/src/scene/shader-lib/glsl/chunks/lit/frag/lighting/shadowPCSS.js";
+constexpr const char* kPlayCanvasLight = "engine/src/scene/light.js, penumbraSize";
+// uv of a map of 1024 texels over the tangent of half its cone: lateral coordinates are twice that tangent wide.
+constexpr double kPlayCanvasLateral = 2.0 / 1024.0;
+// Unity HDRP.
+constexpr const char* kHdrpLight = "com.unity.render-pipelines.high-definition/HDAdditionalLightData.cs";
+constexpr const char* kHdrpSampling = "com.unity.render-pipelines.high-definition/HDShadowSampling.hlsl";
+constexpr const char* kHdrpRequest =
+    "com.unity.render-pipelines.high-definition/HDGpuLightsBuilder, dirLightPCSSDepth2RadialScale";
 constexpr const char* kFilamentOptions = "filament/filament/include/filament/LightManager.h, ShadowOptions";
 
 const SourceConstant kConstants[] = {
@@ -108,6 +126,47 @@ const SourceConstant kConstants[] = {
     {"pcss", "filament-lamp", "curve_radius", 1, 1, kFilament},
     {"pcss", "filament-lamp", "bias_world", 0.001, 1, kFilamentOptions},
     {"pcss", "filament-lamp", "normal_offset_texels", 1, 1, kFilamentOptions},
+    {"pcf_disk", "bgfx", "taps", 16, 1, kBgfx},
+    {"pcf_disk", "bgfx", "radius_texels", 2.0, kBgfxDisk, kBgfx},
+    {"pcss_map_units", "bgfx", "search_taps", 16, 1, kBgfx},
+    {"pcss_map_units", "bgfx", "filter_taps", 16, 1, kBgfx},
+    {"pcss_map_units", "bgfx", "search_radius", 0.01, kBgfxDisk, kBgfx},
+    {"pcss_map_units", "bgfx", "penumbra_size", 1.0, kBgfxDisk, kBgfxSettings},
+    {"pcss_map_units", "bgfx", "most_radius", 0.25, kBgfxDisk, kBgfx},
+    {"pcss_map_units", "bgfx", "fade_share", 0.25, 1, kBgfx},
+    {"pcss_map_units", "filament-sun", "search_taps", 16, 1, kFilament},
+    {"pcss_map_units", "filament-sun", "filter_taps", 16, 1, kFilament},
+    {"pcss_map_units", "filament-sun", "search_radius", 0.02, 1, kFilamentOptions},
+    {"pcss_map_units", "filament-sun", "penumbra_size", 0.02, 1, kFilamentOptions},
+    {"pcss_map_units", "filament-sun", "bias_world", 0.001, 1, kFilamentOptions},
+    {"pcss_map_units", "filament-sun", "normal_offset_texels", 1, 1, kFilamentOptions},
+    {"pcss_map_units", "filament-sun", "slope_bias", 2, 1, kFilamentOptions},
+    {"pcss_map_units", "playcanvas-sun", "search_taps", 16, 1, kPlayCanvasLight},
+    {"pcss_map_units", "playcanvas-sun", "filter_taps", 16, 1, kPlayCanvasLight},
+    {"pcss_map_units", "playcanvas-sun", "focus", 1.33, 0.5, kPlayCanvasSun},
+    {"pcss_map_units", "playcanvas-sun", "search_radius", 1, 1, kPlayCanvasLight},
+    {"pcss_map_units", "playcanvas-sun", "penumbra_size", 1, 1, kPlayCanvasLight},
+    {"pcss_map_units", "playcanvas-lamp", "search_taps", 16, 1, kPlayCanvasLamp},
+    {"pcss_map_units", "playcanvas-lamp", "filter_taps", 16, 1, kPlayCanvasLamp},
+    {"pcss_map_units", "playcanvas-lamp", "search_radius", 1, kPlayCanvasLateral, kPlayCanvasLight},
+    {"pcss_map_units", "playcanvas-lamp", "penumbra_size", 1.0 / 3.0, kPlayCanvasLateral, kPlayCanvasLamp},
+    {"dpcf", "filament-lamp", "search_taps", 12, 1, kFilament},
+    {"dpcf", "filament-lamp", "radius_world", 0.02, 1, kFilamentOptions},
+    {"dpcf", "filament-lamp", "ratio_scale", 1, 1, kFilamentOptions},
+    {"dpcf", "filament-sun", "search_taps", 12, 1, kFilament},
+    {"dpcf", "filament-sun", "radius_world", 0.02, 1, kFilamentOptions},
+    {"pcss_cone", "unity-hdrp", "search_taps", 24, 1, kHdrpLight},
+    {"pcss_cone", "unity-hdrp", "filter_taps", 16, 1, kHdrpLight},
+    {"pcss_cone", "unity-hdrp", "search_clump", 2, 0.5, kHdrpLight},
+    {"pcss_cone", "unity-hdrp", "search_angle_deg", 12, 1, kHdrpLight},
+    {"pcss_cone", "unity-hdrp", "least_filter_angle_deg", 10, 1, kHdrpLight},
+    {"pcss_cone", "unity-hdrp", "least_filter_texels", 1.5, 1, kHdrpLight},
+    {"pcss_cone", "unity-hdrp", "max_radius_world", 0.56, 1, kHdrpLight},
+    {"pcss_cone", "unity-hdrp", "max_offset_world", 0.5, 1, kHdrpLight},
+    {"pcss_cone", "unity-hdrp", "cone_share", 0.9, 1, kHdrpSampling},
+    {"pcss_cone", "unity-hdrp", "max_offset_share", 0.25, 1, kHdrpSampling},
+    {"pcss_cone", "unity-hdrp", "light_size_scale", 1, 2, kHdrpRequest},
+    {"pcss_cone", "unity-hdrp", "normal_offset_texels", 0.75, std::numbers::sqrt2, kHdrpLight},
     {"esm", "paper-a", "exponent", 100, 1, "Araujo, listing 4"},
     {"esm", "paper-a", "full_shadow_at", 0.5, 1, "Araujo, listing 4"},
     {"pcss_esm", "paper-a", "exponent", 100, 1, "Araujo, listing 4"},
@@ -156,6 +215,23 @@ const SourceChoice kChoices[] = {
     {"pcf_tent", "bevy-gaussian", "normal_offset_form", "constant"},
     {"pcss", "filament-lamp", "penumbra_curve", "ratio"},
     {"pcss", "filament-lamp", "average", "harmonic"},
+    {"pcf_disk", "bgfx", "bilinear", "false"},
+    {"pcf_disk", "bgfx", "rotation", "gradient_noise"},
+    {"pcss_map_units", "bgfx", "radius_unit", "map"},
+    {"pcss_map_units", "bgfx", "drop", "stored_ratio"},
+    {"pcss_map_units", "bgfx", "bilinear_taps", "false"},
+    {"pcss_map_units", "filament-sun", "radius_unit", "world"},
+    {"pcss_map_units", "filament-sun", "drop", "stored_ratio"},
+    {"pcss_map_units", "filament-sun", "receiver_plane", "tap"},
+    {"pcss_map_units", "playcanvas-sun", "radius_unit", "range"},
+    {"pcss_map_units", "playcanvas-sun", "drop", "stored_drop"},
+    {"pcss_map_units", "playcanvas-sun", "rotation", "white_noise"},
+    {"pcss_map_units", "playcanvas-lamp", "radius_unit", "lateral"},
+    {"pcss_map_units", "playcanvas-lamp", "drop", "drop"},
+    {"dpcf", "filament-lamp", "radius_base", "world"},
+    {"dpcf", "filament-lamp", "ratio", "distance"},
+    {"dpcf", "filament-sun", "ratio", "stored_depth"},
+    {"pcss_cone", "unity-hdrp", "normal_offset_form", "constant"},
     {"esm", "paper-a", "depth_form", "stored"},
     {"pcss_esm", "paper-a", "depth_form", "stored"},
     {"pcss_vsm", "paper-a", "depth_form", "stored"},
@@ -189,6 +265,10 @@ const SourceCount kCounts[] = {
      "Sterna: 32 in a sixteenth of the pixels and 16 bilinear"},
     {"pcf_adaptive", "paper-e", 64, "Rzeczkowski: 8 x 8"},
     {"pcss", "paper-e", 64 + 64, "Rzeczkowski: 8 x 8 twice"},
+    {"pcss_map_units", "bgfx", 16 + 16, "bgfx: 16 and 16"},
+    {"pcss_map_units", "filament-sun", 16 + 4 * 16, "Filament: 16 and 16 bilinear"},
+    {"dpcf", "filament-lamp", 12, "Filament: 12 for both"},
+    {"pcss_cone", "unity-hdrp", 24 + 4 * 16, "Unity HDRP: 24 and 16 bilinear"},
 };
 
 const std::vector<Technique>& techniques() {
