@@ -34,10 +34,9 @@ std::string context(const Results& results) {
   const std::string target =
       results.picture.target_se ? fmt::format(", until standard error {}", *results.picture.target_se) : "";
   const std::string quality = results.quality.empty() ? "" : fmt::format("quality {}, ", results.quality);
-  return fmt::format("umbrameter {} ({}); {}{} x {} px, {} samples per pixel{}, seed {}; {}",
-                     results.version, results.commit, quality, results.picture.width_px,
-                     results.picture.height_px, results.picture.samples_per_pixel, target,
-                     results.picture.seed, devices(results));
+  return fmt::format("umbrameter {} ({}); {}{} x {} px, {} samples per pixel{}, seed {}; {}", results.version,
+                     results.commit, quality, results.picture.width_px, results.picture.height_px,
+                     results.picture.samples_per_pixel, target, results.picture.seed, devices(results));
 }
 
 std::string pixel_steps() {

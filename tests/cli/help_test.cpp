@@ -72,8 +72,10 @@ TEST_F(Help, EveryVerbHasExamplesWhoseOptionsItHas) {
     for (const std::string& example : examples) {
       EXPECT_THAT(example, testing::StartsWith("umbrameter " + words[1]));
       std::istringstream text(example);
-      for (std::string word; text >> word;)
-        if (word.starts_with("--")) EXPECT_THAT(help + global, HasSubstr(word)) << example;
+      for (std::string word; text >> word;) {
+        if (!word.starts_with("--")) continue;
+        EXPECT_THAT(help + global, HasSubstr(word)) << example;
+      }
     }
   }
 }

@@ -154,7 +154,8 @@ TEST(pcss_cone, unity_takes_the_sun_for_nine_fifths_as_wide) {
 TEST(pcss_cone, a_sun_wider_than_allowed_stops_at_the_largest_radius) {
   UMBRAMETER_REQUIRE_GL();
   const ParameterValues narrow = many_taps({{"max_radius_world", 0.1}});
-  EXPECT_LE(half_plane_rmse(light_at_4(LightType::sun, 1.0), "pcss_cone", narrow, sun_of_penumbra(0.1)), 0.01);
+  EXPECT_LE(half_plane_rmse(light_at_4(LightType::sun, 1.0), "pcss_cone", narrow, sun_of_penumbra(0.1)),
+            0.01);
 }
 
 TEST(pcss_cone, keeps_a_slope_lit_without_any_bias) {
@@ -165,12 +166,9 @@ TEST(pcss_cone, keeps_a_slope_lit_without_any_bias) {
   scene.camera.eye_world = {0.5, 3, 1};
   scene.camera.at_world = {0, 0, 0};
   finish_scene(scene);
-  const ParameterValues bare = {{"map_size", int64_t{1024}},
-                                {"receiver_plane", std::string("none")},
-                                {"bias_texels", 0.0},
-                                {"normal_offset_texels", 1.0},
-                                {"least_filter_texels", 16.0},
-                                {"max_offset_share", 1.0}};
+  const ParameterValues bare = {{"map_size", int64_t{1024}},   {"receiver_plane", std::string("none")},
+                                {"bias_texels", 0.0},          {"normal_offset_texels", 1.0},
+                                {"least_filter_texels", 16.0}, {"max_offset_share", 1.0}};
   // Sixteen texels aside a slope of a third lies five texels nearer to the light: far outside a cone of 2 degrees.
   const auto v = visibility(scene, "pcss_cone", bare);
   EXPECT_EQ(*std::ranges::min_element(v), 1.0f);
