@@ -210,7 +210,7 @@ TEST_F(ReportPartsVisit, OfRegressShowBeforeNowAndTheGate) {
   EXPECT_EQ(seen["values"][1], Json({"fail: acne"}));
   EXPECT_EQ(seen["values"][2][0], Json({"rmse_before", "0.02", "0.02000 [0.01732, 0.02236]"}));
   EXPECT_EQ(seen["values"][2][1][1], "0.1");
-  EXPECT_EQ(seen["values"][2][5], Json({"allowed", "0.004", "0.004"}));
+  EXPECT_EQ(seen["values"][2][7], Json({"allowed", "0.004", "0.004"}));
   EXPECT_EQ(seen["values"][3], Json({"speckle & <more>"}));
   EXPECT_EQ(seen["values"][4], "#scene-1-run-2");
 }
