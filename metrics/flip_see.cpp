@@ -91,8 +91,9 @@ class ColumnFilter {
  private:
   Taps centre(FlipPlane plane) {
     const int radius = static_cast<int>(kernels_.radius);
-    for (int k = -radius; k <= radius; ++k)
-      taps_[static_cast<size_t>(k + radius)] = rows_.row(plane, y_ + k) + x_;
+    const int taps = 2 * radius + 1;
+    for (int tap = 0; tap < taps; ++tap)
+      taps_[static_cast<size_t>(tap)] = rows_.row(plane, y_ + tap - radius) + x_;
     return taps_.data() + radius;
   }
 
@@ -119,7 +120,7 @@ void see_rows(const FlipSource& picture, int width, int height, double ppd,
     tbb::parallel_for(0, (width + kFlipTile_px - 1) / kFlipTile_px, [&](int tile) {
       ColumnFilter filter(rows, kernels);
       SeenRow seen{};
-      seen.x = static_cast<size_t>(tile * kFlipTile_px);
+      seen.x = static_cast<size_t>(tile) * kFlipTile_px;
       seen.count = std::min(columns - seen.x, size_t{kFlipTile_px});
       for (int y = y0; y < y1; ++y) {
         seen.y = static_cast<size_t>(y);
