@@ -83,9 +83,12 @@ bool recall_verdicts(const SceneWork& work, std::vector<TechniqueFrame>& runs) {
 
 /// Sets all causes that are known; whether that is all that are wanted.
 bool recall_causes(const SceneWork& work, std::vector<TechniqueFrame>& runs) {
-  for (TechniqueFrame* run : runs_without_causes(work.plan, runs))
-    work.memory->recall_causes(work.plan, *run);
-  return runs_without_causes(work.plan, runs).empty();
+  bool is_complete = true;
+  for (TechniqueFrame* run : runs_with_wanted_causes(work.plan, runs)) {
+    work.memory->recall_causes(work.plan, *run, runs);
+    is_complete = is_complete && run->result.fault_causes;
+  }
+  return is_complete;
 }
 
 /// Sets what is known; whether that is everything.
@@ -144,7 +147,7 @@ void measure(const SceneWork& work, SceneResult& scene, std::vector<TechniqueFra
   if (work.memory == nullptr) return;
   work.memory->remember(work.source, work.plan, work.folder, scene, runs);
   remember_verdicts(work, runs);
-  for (const TechniqueFrame& run : runs) work.memory->remember_causes(run);
+  for (const TechniqueFrame& run : runs) work.memory->remember_causes(run, runs);
 }
 
 void count(const SceneResult& scene, WorkDone& work) {

@@ -23,6 +23,14 @@ std::string unlit_key(const std::string& reference, const Makers& makers) {
   return Hasher().text("unlit").text(parity_key(reference, makers)).hex();
 }
 
+/// Whether causes are worth their cost depends on what else the scene has.
+std::string skip_of_causes_key(const TechniqueFrame& run, std::span<const TechniqueFrame> runs) {
+  Hasher hasher;
+  hasher.text("skip of causes").text(run.key);
+  for (const TechniqueFrame& other : runs) hasher.text(other.key);
+  return hasher.hex();
+}
+
 constexpr const char* kUnlit = R"({"unlit": true})";
 
 RecordHead head_of(const SceneSource& source, const ValidationPlan& plan, const std::string& measured_at,
@@ -174,16 +182,19 @@ void ValidationMemory::remember_verdict(const TechniqueFrame& baseline, const Te
   store_.store().put({verdict_key(run.key, baseline.key), EntryKind::verdict, json.dump()});
 }
 
-void ValidationMemory::recall_causes(const ValidationPlan& plan, TechniqueFrame& run) {
+void ValidationMemory::recall_causes(const ValidationPlan& plan, TechniqueFrame& run,
+                                     std::span<const TechniqueFrame> runs) {
   auto known = read_json(find(causes_key(run.key)), read_fault_causes);
-  if (known && (!known->skipped || plan.causes == CausesWanted::automatic))
-    run.result.fault_causes = std::move(known);
+  if (!known && plan.causes == CausesWanted::automatic)
+    known = read_json(find(skip_of_causes_key(run, runs)), read_fault_causes);
+  if (known) run.result.fault_causes = std::move(known);
 }
 
-void ValidationMemory::remember_causes(const TechniqueFrame& run) {
-  if (!run.result.fault_causes) return;
-  store_.store().put(
-      {causes_key(run.key), EntryKind::verdict, fault_causes_json(run.result.fault_causes).dump()});
+void ValidationMemory::remember_causes(const TechniqueFrame& run, std::span<const TechniqueFrame> runs) {
+  const auto& causes = run.result.fault_causes;
+  if (!causes) return;
+  const std::string key = causes->skipped ? skip_of_causes_key(run, runs) : causes_key(run.key);
+  store_.store().put({key, EntryKind::verdict, fault_causes_json(causes).dump()});
 }
 
 bool ValidationMemory::is_unlit(const SceneSource& source, const ValidationPlan& plan) {

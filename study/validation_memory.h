@@ -30,10 +30,11 @@ class ValidationMemory {
   bool recall_verdict(const TechniqueFrame& baseline, TechniqueFrame& run);
   void remember_verdict(const TechniqueFrame& baseline, const TechniqueFrame& run);
 
-  /// Sets the causes of `run` where they are known. Those skipped as too dear are not where the plan asks for them anyhow.
-  void recall_causes(const ValidationPlan& plan, TechniqueFrame& run);
+  /// Sets the causes of `run`, one of the scene's `runs`, where they are known, or that they were too dear where the plan asks
+  /// for no more than that.
+  void recall_causes(const ValidationPlan& plan, TechniqueFrame& run, std::span<const TechniqueFrame> runs);
   /// Does nothing for a run without causes.
-  void remember_causes(const TechniqueFrame& run);
+  void remember_causes(const TechniqueFrame& run, std::span<const TechniqueFrame> runs);
 
   /// Whether the light is known to reach nothing in the picture.
   bool is_unlit(const SceneSource& source, const ValidationPlan& plan);

@@ -36,15 +36,25 @@ bool replaces_much(std::string_view id) {
   return substitution != nullptr && substitution->replaces_much;
 }
 
-const SubstitutionOutcome* best_of(std::span<const SubstitutionOutcome* const> outcomes, size_t index) {
+bool is_of(RunPart part, const SubstitutionOutcome* outcome) {
+  const Substitution* substitution = find_substitution(outcome->id);
+  return substitution != nullptr && substitution->part == part;
+}
+
+/// A filter's width follows from the blockers' distance: where that mends as much, the width was wrong because of it.
+void leave_out_what_follows(std::vector<const SubstitutionOutcome*>& alike) {
+  const auto is_distance = [](const auto* outcome) { return is_of(RunPart::blocker_distance, outcome); };
+  if (std::ranges::none_of(alike, is_distance)) return;
+  std::erase_if(alike, [](const auto* outcome) { return is_of(RunPart::filter_size, outcome); });
+}
+
+const SubstitutionOutcome* best_of(std::vector<const SubstitutionOutcome*> outcomes, size_t index) {
   double most = -HUGE_VAL;
   for (const SubstitutionOutcome* outcome : outcomes) most = std::max(most, outcome->removed[index]);
-  const SubstitutionOutcome* best = nullptr;
-  for (const SubstitutionOutcome* outcome : outcomes) {
-    if (outcome->removed[index] < most - kAlike) continue;
-    if (best == nullptr || outcome->elsewhere < best->elsewhere) best = outcome;
-  }
-  return best;
+  std::erase_if(outcomes, [&](const auto* outcome) { return outcome->removed[index] < most - kAlike; });
+  leave_out_what_follows(outcomes);
+  const auto least_harm = std::ranges::min_element(outcomes, {}, &SubstitutionOutcome::elsewhere);
+  return least_harm == outcomes.end() ? nullptr : *least_harm;
 }
 
 size_t scored_pixels(std::span<const FaultClass> classes) {

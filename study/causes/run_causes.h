@@ -8,11 +8,12 @@
 
 namespace umbrameter {
 
-/// The runs that the plan wants causes of and that have none yet: with a fault, and with parameters to replace; the worst by
-/// RMSE first.
-std::vector<TechniqueFrame*> runs_without_causes(const ValidationPlan& plan, std::span<TechniqueFrame> runs);
+/// The runs that the plan wants causes of, known or not: with a fault, and with parameters to replace; the worst by RMSE first.
+std::vector<TechniqueFrame*> runs_with_wanted_causes(const ValidationPlan& plan,
+                                                     std::span<TechniqueFrame> runs);
 
-/// Sets TechniqueResult::fault_causes of these runs. `scene` tells what everything else of the scene cost.
+/// Sets TechniqueResult::fault_causes of those that have none yet. With CausesWanted::automatic each as long as pictures drawn
+/// for causes stay fewer than those of the scene itself: a count, so that it does not depend on the clock.
 void find_run_causes(const SceneContext& context, const Image& reference, const SceneResult& scene,
                      std::span<TechniqueFrame> runs);
 

@@ -26,7 +26,7 @@ constexpr std::array<Substitution, 11> kSubstitutions = {{
     {"taps_fourfold", taps, 4.0, "a fourfold number of taps", "the taps are too few", 4.0},
     {"map_fourfold", map_size, 4.0, "a map four times as large", "the map's texels are too coarse", 8.0},
     {"fit_scene", map_fit, 1.0, "a map of the whole scene", "the map's fit leaves casters or receivers out",
-     1.0},
+     2.0},
     {"blocker_truth", blocker_distance, 1.0, "the truth's blocker distance",
      "the search does not find the blockers' true distance", 1.0},
     {"light_points", light_points, 1.0, "a mean over maps from 16 points of the light",
@@ -124,13 +124,7 @@ double affordable(const SubstitutedRun& run, double factor) {
 bool grow_map(const SubstitutedRun& run, double wanted, Replacement& out) {
   const double factor = affordable(run, wanted);
   if (factor <= 1.0 || !scale_numbers(run, factor, is_size_of_map, out)) return false;
-  scale_numbers(
-      run, factor,
-      [&](const Parameter& parameter) {
-        return is_length_in_texels(parameter) && !is_size_of_map(parameter) &&
-               number_of(parameter, run.parameters) != 0.0;
-      },
-      out);
+  keep_lengths(run, factor, out);
   return true;
 }
 
@@ -139,6 +133,7 @@ bool fit_whole_scene(const SubstitutedRun& run, Replacement& out) {
   for (const Parameter& parameter : run.declared) {
     if (is_fit(parameter)) is_changed = set_value(parameter, std::string(kWholeScene), "", out) || is_changed;
   }
+  out.moves_texels = is_changed;
   return is_changed;
 }
 
@@ -195,6 +190,14 @@ std::optional<Replacement> replace(const Substitution& substitution, const Subst
   out.lights = {run.light};
   if (!apply(substitution, run, out)) return std::nullopt;
   return out;
+}
+
+bool keep_lengths(const SubstitutedRun& run, double factor, Replacement& replacement) {
+  const auto is_length = [&](const Parameter& parameter) {
+    return is_length_in_texels(parameter) && !is_size_of_map(parameter) &&
+           number_of(parameter, run.parameters) != 0.0;
+  };
+  return scale_numbers(run, factor, is_length, replacement);
 }
 
 }  // namespace umbrameter

@@ -2,6 +2,7 @@
 // Without these tests the causes that 'validate' names could be anything: here each fault is put in by one parameter, and
 // that one must mend it.
 #include "tests/cli/cli_fixture.h"
+#include "tests/support/source_dir.h"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -12,6 +13,7 @@ namespace umbrameter {
 namespace {
 
 using nlohmann::json;
+using testing::AllOf;
 using testing::HasSubstr;
 
 class Causes : public CliTest {
@@ -69,6 +71,18 @@ TEST_F(Causes, ASearchThatMissesBlockersIsMendedByTheTruths) {
   const json fault = causes.at("faults").at(0);
   EXPECT_EQ(fault.at("cause"), "blocker_truth") << causes.dump(1);
   EXPECT_THAT(fault.at("sentence").get<std::string>(), HasSubstr("the truth's blocker distance removes"));
+}
+
+TEST_F(Causes, BlockersThatOneMapDoesNotShowAreNoMatterOfBias) {
+  require_gl();
+  const std::string church = (source_dir() / "tests/scenes/church.toml").string();
+  const json causes = by_substitution(church, "pcss");
+  const json fault = fault_of(causes, "peter_panning");
+  EXPECT_GT(fault.at("mean_abs_error"), 0.01);
+  EXPECT_EQ(fault.at("cause"), "blocker_truth") << causes.dump(1);
+  EXPECT_THAT(fault.at("sentence").get<std::string>(),
+              AllOf(HasSubstr("no bias mends it; the truth's blocker distance removes"),
+                    HasSubstr("the search does not find these blockers in one map from the light's centre")));
 }
 
 TEST_F(Causes, WhatNothingMendsIsSaidSo) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Without these tests a fault's cause could be named by a substitution that changes two things, changes nothing, or mends
 // nothing.
+#include "study/causes/blocker_extension.h"
 #include "study/causes/causes_format.h"
 #include "study/causes/causes_json.h"
 #include "study/causes/causes_wanted.h"
@@ -275,6 +276,28 @@ TEST(FaultCauses, WhatReplacesMuchStandsBackWhereOneThingMends) {
   EXPECT_EQ(cause_of(with_taps(0.4), 0)->id, "light_points");
 }
 
+TEST(FaultCauses, AWidthThatFollowsFromTheBlockersIsNotToBlame) {
+  const auto with_truth = [](double removed) {
+    return causes_with({{"filter_half", {}, {}, {0.95}, -0.1}, {"blocker_truth", {}, {}, {removed}, 0.1}});
+  };
+  EXPECT_EQ(cause_of(with_truth(0.92), 0)->id, "blocker_truth");
+  EXPECT_EQ(cause_of(with_truth(0.80), 0)->id, "filter_half");
+}
+
+TEST(BlockerExtension, SaysHowFarBlockersAreAndNotWhetherThereAreAny) {
+  Image truth(4, 1);
+  std::ranges::copy(std::vector<float>{0.0f, 1.0f, 0.0f, 0.0f}, truth.add_plane("blocker_offset.x").begin());
+  std::ranges::copy(std::vector<float>{0.0f, 0.0f, 0.0f, 2.0f}, truth.add_plane("blocker_offset.y").begin());
+  truth.add_plane("blocker_offset.z");
+  const Image extended = extended_blockers(truth);
+  EXPECT_THAT(extended.plane("blocker_offset.x"), testing::ElementsAre(1.0f, 1.0f, 1.0f, 0.0f));
+  EXPECT_THAT(extended.plane("blocker_offset.y"), testing::ElementsAre(0.0f, 0.0f, 0.0f, 2.0f));
+  EXPECT_THAT(extended.plane("blocker_offset.z"), testing::Each(0.0f));
+  truth.planes["blocker_offset.x"].assign(4, 0.0f);
+  truth.planes["blocker_offset.y"].assign(4, 0.0f);
+  EXPECT_THAT(extended_blockers(truth).plane("blocker_offset.x"), testing::Each(0.0f));
+}
+
 TEST(FaultCauses, WhatMendsTooLittleIsNoCause) {
   const FaultCauses causes =
       causes_with({{"bias_zero", {}, {}, {0.12}, 0.0}, {"map_fourfold", {}, {}, {-2.0}, 0.0}});
@@ -330,7 +353,26 @@ TEST(FindCauses, TriesWhatTheRunHasAndNotesWhatFails) {
   EXPECT_EQ(causes.outcomes[1].removed[0], 0.0);
   EXPECT_EQ(causes.outcomes[7].not_tried, "no room for the map");
   EXPECT_NEAR(causes.outcomes[9].removed[0], 0.5, 1e-6);
-  EXPECT_EQ(draws_of_causes(run_with()), 39.0);  // 16 of the light, 8 of maps, 8 of filters, 4 of taps, 2, 1
+  EXPECT_EQ(draws_of_causes(run_with()), 40.0);  // 16 of the light, 8 of maps, 8 of filters, 4 of taps, 2, 2
+}
+
+TEST(FindCauses, KeepsLengthsInTheWorldWhereAnotherFitMovesTexels) {
+  std::vector<double> radii;
+  const auto draw = [&](const Replacement& replacement, const Light&) {
+    const bool is_whole = to_text(replacement.parameters.at("map_fit")) == "scene";
+    if (is_whole) radii.push_back(real(replacement, "radius_texels"));
+    Image image = kWrong;
+    image.add_plane("texel_world", is_whole ? 1.0f : 0.25f);
+    return image;
+  };
+  Image wrong = kWrong;
+  wrong.add_plane("texel_world", 0.25f);
+  const FaultCauses causes =
+      find_causes(run_with({{"radius_texels", 8.0}}), {wrong, kTruth, kClasses}, kFaults, draw);
+  EXPECT_THAT(radii, testing::ElementsAre(8.0, 2.0));  // texels are four times as large
+  const auto fit = std::ranges::find(causes.outcomes, "fit_scene", &SubstitutionOutcome::id);
+  ASSERT_NE(fit, causes.outcomes.end());
+  EXPECT_THAT(fit->changes, testing::Contains("radius_texels 8 -> 2"));
 }
 
 TEST(FaultCauses, ComeBackFromJson) {

@@ -95,26 +95,59 @@ TEST_F(Memory, CausesAreFoundOnceAndKept) {
   EXPECT_EQ(rendered(), 0u);
 }
 
+/// biased() with a filter and a map: its causes take 2 pictures of other biases, 8 of other filters, 8 of a larger map and 16 of
+/// the light's points.
+TechniqueRun with_many_causes(const std::string& id) {
+  TechniqueRun run = biased(id);
+  const auto add = [&](const std::string& name, const std::string& group, double value, double max) {
+    Parameter parameter = run.declared.front();
+    parameter.name = name;
+    parameter.group = group;
+    parameter.max = max;
+    if (group == "shadow_map") parameter.scale = ParameterScale::pow2;
+    run.parameters[name] = value;
+    run.declared.push_back(parameter);
+  };
+  add("radius_texels", "filter", 2.0, 32.0);
+  add("map_size", "shadow_map", 256.0, 4096.0);
+  return run;
+}
+
 TEST_F(Memory, CausesThatCostMoreThanTheSceneAreLeftOutUnlessAskedFor) {
-  TechniqueRun run = biased("off");
-  run.declared.push_back(run.declared.front());
-  run.declared.back().name = "radius_texels";
-  run.declared.back().group = "filter";
-  run.parameters["radius_texels"] = 2.0;
-  realtime_ =
-      fake_realtime(1000.0);  // ten frames of causes are more than the scene's five, whatever scoring takes
-  ValidationPlan plan = fake_plan({run});
+  ValidationPlan plan = fake_plan({with_many_causes("off")});
   plan.causes = CausesWanted::automatic;
   const Results skipped = validate(plan);
   ASSERT_TRUE(skipped.scenes[0].techniques[0].fault_causes);
   EXPECT_THAT(skipped.scenes[0].techniques[0].fault_causes->skipped.value_or(""),
-              HasSubstr("--causes worst"));
+              testing::AllOf(HasSubstr("about 34 pictures"), HasSubstr("--causes worst")));
   rendered();
   validate(plan);
   EXPECT_EQ(rendered(), 0u);  // the decision is kept, too
   plan.causes = CausesWanted::worst;
   EXPECT_FALSE(validate(plan).scenes[0].techniques[0].fault_causes->skipped);
-  EXPECT_EQ(rendered(), 6u);  // and a filter of four other widths
+  EXPECT_EQ(rendered(), 23u);  // each once, and the light's points
+}
+
+TEST_F(Memory, WhetherCausesAreWorthTheirCostIsNoMatterOfTime) {
+  const auto is_tried = [&](int timed_frames, double frame_ms) {
+    realtime_ = fake_realtime(frame_ms);
+    ValidationPlan plan = fake_plan({with_many_causes("off")});
+    plan.timed_frames = timed_frames;
+    plan.causes = CausesWanted::automatic;
+    return !validate(plan).scenes[0].techniques[0].fault_causes->skipped;
+  };
+  EXPECT_FALSE(is_tried(5, 0.001));
+  EXPECT_FALSE(is_tried(6, 1000.0));
+  EXPECT_TRUE(is_tried(50, 0.001));
+  EXPECT_TRUE(is_tried(51, 1000.0));
+}
+
+TEST_F(Memory, ASkipOfOneSceneIsNoSkipOfALargerOne) {
+  ValidationPlan plan = fake_plan({with_many_causes("off")});
+  plan.causes = CausesWanted::automatic;
+  EXPECT_TRUE(validate(plan).scenes[0].techniques[0].fault_causes->skipped);
+  for (int k = 0; k < 5; ++k) plan.techniques.push_back(technique("exact " + std::to_string(k)));
+  EXPECT_FALSE(validate(plan).scenes[0].techniques[0].fault_causes->skipped);
 }
 
 TEST_F(Memory, CausesAreOfTheThreeWorstUnlessOfAll) {
