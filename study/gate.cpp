@@ -89,6 +89,13 @@ std::optional<double> rmse(const GateRun& run) {
   return run.error && run.error->rmse ? std::optional(run.error->rmse->value) : std::nullopt;
 }
 
+// Of a picture whose penumbrae are all as far from their widths as they may be: a ramp stretched by k about its middle is wrong by
+// (k - 1)^2 / 12 k of a full step squared, on average over the true ramp.
+double rmse_of_widths(const GateRun& run, const GateLimits& limits) {
+  const double stretch = std::exp2(limits.softness.excess), more = stretch - 1.0;
+  return run.error ? std::sqrt(run.error->penumbra.share * more * more / (12.0 * stretch)) : 0.0;
+}
+
 std::optional<double> fault_share(const GateRun& run, FaultClass fault) {
   return run.diagnosis ? std::optional(run.diagnosis->faults.of(fault).mean_abs_error) : std::nullopt;
 }
@@ -267,7 +274,8 @@ GateVerdict judge_gate(const GateRun& run, const GateRun* baseline, bool worse, 
   add(GateClass::noise, noise, limits.noise);
   add(GateClass::banding, banding, limits.banding);
   std::vector<GateMeasure> causes = verdict.measures;
-  add(GateClass::error, rmse, limits.error);
+  const GateLimit error = {std::hypot(limits.error.excess, rmse_of_widths(run, limits)), limits.error.share};
+  add(GateClass::error, rmse, error);
   if (baseline != nullptr && !worse) verdict.measures.back().value.reset();
   const bool is_blur = is_too_wide(run, baseline, kMostly) && !any_too_narrow(run, baseline, limits);
   const Hints hints = {is_blur, is_coarser(run, baseline)};

@@ -182,6 +182,19 @@ TEST(Gate, AnErrorWithoutACauseFailsOnlyWhenItIsWorseForCertain) {
   EXPECT_EQ(judge_gate(run, &baseline, true).kind, GateClass::error);
 }
 
+TEST(Gate, APictureFullOfPenumbraeMayBeWrongByTheirWidths) {
+  const auto kind_of = [](double rmse, double penumbra_share) {
+    GateRun run = clean_run();
+    run.error->rmse = Interval{rmse, rmse, rmse};
+    run.error->penumbra.share = penumbra_share;
+    return judge_gate(run, nullptr, false).kind;
+  };
+  EXPECT_EQ(kind_of(0.031, 0.0), GateClass::error);
+  // All penumbrae .2 octaves too wide have an RMSE of .0283 where they are half of the picture.
+  EXPECT_EQ(kind_of(0.041, 0.5), std::nullopt);
+  EXPECT_EQ(kind_of(0.042, 0.5), GateClass::error);
+}
+
 TEST(Gate, WhatVoidsARunIsSaidFirst) {
   GateRun run = with_share(FaultClass::acne, 0.1);
   run.parity_passes = false;
