@@ -25,8 +25,7 @@ struct SelftestOptions {
   std::string only;
   size_t trials = 0;
   bool all = false;
-  bool benign_only = false;
-  bool causes = false;
+  SelftestParts asked = {false, false, false, false};
   bool with_assets = false;
 };
 
@@ -48,6 +47,11 @@ int other_threads(int threads) {
   return asked > 1 ? 1 : 2;
 }
 
+SelftestParts parts_of(const SelftestParts& asked) {
+  const bool any = asked.benign || asked.faults || asked.causes || asked.hardening;
+  return any ? asked : SelftestParts{};
+}
+
 int selftest(const SelftestOptions& options, const GlobalOptions& global) {
   const Home home = find_home();
   const SceneSearch search = scene_search(global, home);
@@ -63,18 +67,16 @@ int selftest(const SelftestOptions& options, const GlobalOptions& global) {
   SelftestSettings settings;
   settings.rounds = {options.round};
   if (options.all) settings.rounds.push_back(kHeldOut);
-  settings.benign_only = options.benign_only;
+  settings.parts = parts_of(options.asked);
   settings.only = options.only;
   settings.fewest_benign = options.trials;
   settings.techniques_folder = home.techniques;
   settings.shaders_folder = home.shaders;
   settings.scratch_folder = staging.folder();
   settings.pictures_folder = global.out;
-  if (options.causes) {
-    settings.describe_run = [&home](const TechniqueChoice& choice) {
-      return technique_with(choice.technique, choice.parameters, home);
-    };
-  }
+  settings.describe_run = [&home](const TechniqueChoice& choice) {
+    return technique_with(choice.technique, choice.parameters, home);
+  };
   if (!global.out.empty()) create_folder(global.out);
   ProgressBar progress;
   const SelftestResults results = run_selftest(jobs, settings, {*reference, *other, *realtime}, progress);
@@ -97,9 +99,12 @@ void add_selftest(CLI::App& app, CommandLine& line) {
   verb->add_option("--trials", options->trials,
                    "of changes that are no faults, at least: more rounds of other sizes and seeds")
       ->check(CLI::Range(0, 100000));
-  verb->add_flag("--benign", options->benign_only, "only the changes that are no faults, and the masks");
-  verb->add_flag("--causes", options->causes,
-                 "also what mends each fault: it must be what was put in (docs/causes.md)");
+  verb->add_flag("--faults", options->asked.faults, "only the faults, and what else is asked for by name");
+  verb->add_flag("--benign", options->asked.benign,
+                 "only the changes that are no faults, and the masks, and what else is asked for by name");
+  verb->add_flag("--causes", options->asked.causes,
+                 "what mends each fault: it must be what was put in (docs/causes.md)");
+  verb->add_flag("--hardening", options->asked.hardening, "of which scenes contact hardening can be told");
   verb->add_flag("--all", options->all,
                  "the whole: scenes of real models, and everything once more at a held-out size and seed");
   verb->add_option("--seed", options->round.seed, "of the samples");

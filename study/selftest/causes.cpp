@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/selftest/causes.h"
 
+#include "study/causes/blocker_extension.h"
 #include "study/diagnosis_format.h"
 #include "study/metadata.h"
 
@@ -11,17 +12,23 @@
 namespace umbrameter {
 namespace {
 
-/// The class whose part grew most; the explained, too: a light of another size is wrong in widths, and widths are excused.
+/// The class whose part grew most, as long as that is what validate would name of all that grew; else what is explained: a light
+/// of another size is wrong in widths, and small ones are excused.
 std::optional<FaultClass> grown_fault(const FaultNumbers& wrong, const FaultNumbers& sound) {
-  std::optional<FaultClass> grown;
-  double most = 0.0;
-  for (size_t k = static_cast<size_t>(FaultClass::explained); k < kFaultClasses; ++k) {
+  const auto growth = [&](FaultClass fault) {
+    return std::max(0.0, wrong.of(fault).mean_abs_error - sound.of(fault).mean_abs_error);
+  };
+  const double excused = growth(FaultClass::explained);
+  FaultClass most = FaultClass::explained;
+  double all = excused, largest = 0.0;
+  for (size_t k = static_cast<size_t>(FaultClass::explained) + 1; k < kFaultClasses; ++k) {
     const auto fault = static_cast<FaultClass>(k);
-    const double growth = wrong.of(fault).mean_abs_error - sound.of(fault).mean_abs_error;
-    if (growth > most) grown = fault;
-    most = std::max(most, growth);
+    all += growth(fault);
+    if (growth(fault) > largest) most = fault;
+    largest = std::max(largest, growth(fault));
   }
-  return grown;
+  if (largest > 0.0 && largest >= kNamedShare * all) return most;
+  return excused > 0.0 ? std::optional(FaultClass::explained) : std::nullopt;
 }
 
 /// A run as the faulty technique makes it, of the scene as it sees it.
@@ -41,10 +48,12 @@ WrongRun wrong_run(const CauseCase& fault, const Stage& stage) {
   return out;
 }
 
-Image draw(WrongRun& wrong, const Replacement& replacement, const Light& light, Stage& stage) {
+/// The shadows of the run on the surfaces of the sound one: under another light those would fail parity.
+Image draw(WrongRun& wrong, const Replacement& replacement, const Light& light, const Image& blockers,
+           const TechniqueChoice& sound, Stage& stage) {
   wrong.scene.lights[wrong.scene.active_light] = light;
-  return stage.picture_of({wrong.choice.technique, replacement.parameters}, wrong.scene,
-                          replacement.takes_blocker_truth ? &stage.truth() : nullptr);
+  return stage.shadows_of({wrong.choice.technique, replacement.parameters}, wrong.scene, stage.picture(sound),
+                          replacement.takes_blocker_truth ? &blockers : nullptr);
 }
 
 }  // namespace
@@ -54,11 +63,15 @@ bool CauseOutcome::is_right() const {
 }
 
 CauseOutcome try_cause(const CauseCase& fault, Stage& stage) {
-  CauseOutcome out{fault.name, fault.scene, fault.right, {}, {}, 0.0, {}};
+  CauseOutcome out{fault.name, fault.scene, fault.right, {}, {}, {}, 0.0, {}};
   WrongRun wrong = wrong_run(fault, stage);
   const Light light = wrong.scene.light();
-  const Replacement nothing{wrong.run.parameters, {light}, false, {}};
-  const Image picture = draw(wrong, nothing, light, stage);
+  const Replacement nothing{wrong.run.parameters, {light}, false, false, {}};
+  const Image blockers = extended_blockers(stage.truth());
+  const auto draw_wrong = [&](const Replacement& replacement, const Light& part) {
+    return draw(wrong, replacement, part, blockers, fault.sound, stage);
+  };
+  const Image picture = draw_wrong(nothing, light);
   const Examined examined = examine(picture, stage.truth(), stage.eye_world());
   const Examined& sound = stage.examined(fault.sound);
   if (!examined.run.diagnosis || !sound.run.diagnosis) return out;
@@ -67,15 +80,14 @@ CauseOutcome try_cause(const CauseCase& fault, Stage& stage) {
   const std::vector<FaultClass> faults = {*out.fault};
   const SubstitutedRun run{wrong.run.declared, wrong.run.parameters, light,
                            wrong.scene.bounds_world.diagonal(), 0};
-  const FaultCauses causes = find_causes(run, {picture, stage.truth(), examined.fault_classes}, faults,
-                                         [&](const Replacement& replacement, const Light& part) {
-                                           return draw(wrong, replacement, part, stage);
-                                         });
+  const FaultCauses causes =
+      find_causes(run, {picture, stage.truth(), examined.fault_classes}, faults, draw_wrong);
   if (const SubstitutionOutcome* best = best_substitution(causes, 0)) {
     out.best = best->id;
     out.removed = best->removed[0];
   }
   if (const SubstitutionOutcome* cause = cause_of(causes, 0)) out.cause = find_substitution(cause->id)->part;
+  out.tried = causes.outcomes;
   return out;
 }
 

@@ -28,10 +28,11 @@ struct CauseOutcome {
   std::string name, scene;
   std::vector<RunPart> right;
   std::optional<FaultClass>
-      fault;             // the class whose error grew most against the sound picture; absent: none did
-  std::string best;      // substitution that removes most of it; empty without any
-  double removed = 0.0;  // by that
-  std::optional<RunPart> cause;  // what it replaced, where it mends the fault
+      fault;  // the class whose error grew most against the sound picture; absent: none did
+  std::vector<SubstitutionOutcome> tried;  // with one number each: of `fault`
+  std::string best;                        // substitution that removes most of it; empty without any
+  double removed = 0.0;                    // by that
+  std::optional<RunPart> cause;            // what it replaced, where it mends the fault
   bool is_right() const;
 };
 

@@ -158,6 +158,20 @@ std::string cause_list(const SelftestResults& results) {
                                            results.right_causes(), results.causes.size());
 }
 
+std::string hardening_table(const SelftestResults& results) {
+  std::string text = "| scene | penumbrae | profiles | octaves | slope |\n|---|---|---|---|---|\n";
+  for (const HardeningOutcome& outcome : results.hardening) {
+    const ContactHardening& exact = outcome.exact;
+    const std::string slope =
+        exact.slope ? fmt::format("{:.2f} +- {:.2f}", *exact.slope, exact.slope_margin.value_or(0.0))
+                    : "not identifiable";
+    text += fmt::format("| {} | {} | {} | {:.2f} | {} |\n", outcome.scene, outcome.penumbrae, exact.profiles,
+                        exact.octaves, slope);
+  }
+  return text + fmt::format("\ncontact hardening can be told on {} of {} scenes with penumbrae\n",
+                            results.telling_hardening(), results.scenes_with_penumbrae());
+}
+
 OrderedJson verdict_json(const GateVerdict& verdict) {
   OrderedJson measures = OrderedJson::array();
   for (const GateMeasure& m : verdict.measures) {
@@ -167,6 +181,15 @@ OrderedJson verdict_json(const GateVerdict& verdict) {
                         {"allowed", m.allowed}});
   }
   return {{"passes", verdict.passes()}, {"class", kind_text(verdict)}, {"measures", measures}};
+}
+
+OrderedJson tried_json(const CauseOutcome& outcome) {
+  OrderedJson tried = OrderedJson::array();
+  for (const SubstitutionOutcome& one : outcome.tried) {
+    if (one.not_tried) continue;
+    tried.push_back({{"id", one.id}, {"removed", one.removed.front()}, {"elsewhere", one.elsewhere}});
+  }
+  return tried;
 }
 
 OrderedJson round_json(const SelftestRound& round) {
@@ -184,6 +207,7 @@ std::string selftest_markdown(const SelftestResults& results) {
     text += benign_matrix(results, round) + "\n" + recall_by_scene(results, round) + "\n";
   }
   if (!results.masks.empty()) text += mask_table(results) + "\n";
+  if (!results.hardening.empty()) text += hardening_table(results) + "\n";
   if (!results.causes.empty()) text += cause_list(results) + "\n";
   text += left_out_lines(results);
   if (const BenignOutcome* nearest = results.nearest_benign()) {
@@ -241,7 +265,17 @@ std::string selftest_json(const SelftestResults& results) {
                       {"class", outcome.fault ? OrderedJson(name_of(*outcome.fault)) : OrderedJson(nullptr)},
                       {"best", outcome.best},
                       {"removed", outcome.removed},
+                      {"tried", tried_json(outcome)},
                       {"right", outcome.is_right()}});
+  }
+  OrderedJson hardening = OrderedJson::array();
+  for (const HardeningOutcome& outcome : results.hardening) {
+    hardening.push_back({{"scene", outcome.scene},
+                         {"penumbrae", outcome.penumbrae},
+                         {"profiles", outcome.exact.profiles},
+                         {"octaves", outcome.exact.octaves},
+                         {"slope", optional_json(outcome.exact.slope)},
+                         {"margin", optional_json(outcome.exact.slope_margin)}});
   }
   const OrderedJson object = {{"passes", results.passes()},
                               {"found", results.found()},
@@ -252,7 +286,9 @@ std::string selftest_json(const SelftestResults& results) {
                               {"left_out", left_out},
                               {"masks", masks},
                               {"right_causes", results.right_causes()},
-                              {"causes", causes}};
+                              {"causes", causes},
+                              {"telling_hardening", results.telling_hardening()},
+                              {"hardening", hardening}};
   return object.dump(2);
 }
 

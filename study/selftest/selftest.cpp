@@ -88,11 +88,13 @@ struct Suite {
 };
 
 Suite suite_of(const SelftestSettings& settings) {
-  Suite suite = {{}, benign_list(), mask_list(), {}};
-  if (!settings.benign_only) {
-    suite.faults = fault_list();
-    suite.causes = cause_list();
+  Suite suite;
+  if (settings.parts.benign) {
+    suite.variants = benign_list();
+    suite.masks = mask_list();
   }
+  if (settings.parts.faults) suite.faults = fault_list();
+  if (settings.parts.causes) suite.causes = cause_list();
   const auto is_other = [&](const auto& one) { return one.name.find(settings.only) == std::string::npos; };
   std::erase_if(suite.faults, is_other);
   std::erase_if(suite.variants, is_other);
@@ -110,7 +112,6 @@ SelftestRound further_round(const SelftestRound& first, uint64_t k) {
 }
 
 void try_causes(std::span<const CauseCase> faults, Stage& stage, std::vector<CauseOutcome>& outcomes) {
-  if (!stage.settings().describe_run) return;
   for (const CauseCase& fault : faults) {
     if (fault.scene == stage.name()) outcomes.push_back(try_cause(fault, stage));
   }
@@ -142,6 +143,13 @@ void try_faults(std::span<const FaultCase> faults, Stage& stage, SelftestResults
   }
 }
 
+HardeningOutcome try_hardening(Stage& stage) {
+  const auto& diagnosis = stage.examined_exact().run.diagnosis;
+  if (!diagnosis) return {stage.name(), 0, {}};
+  const PenumbraNumbers& penumbra = diagnosis->penumbra;
+  return {stage.name(), penumbra.accepted() + penumbra.rejected(), diagnosis->contact_hardening};
+}
+
 std::optional<double> share(size_t part, size_t whole) {
   if (whole == 0) return std::nullopt;
   return static_cast<double>(part) / static_cast<double>(whole);
@@ -151,6 +159,10 @@ std::optional<double> share(size_t part, size_t whole) {
 
 bool FaultOutcome::is_right() const {
   return verdict.kind && std::ranges::find(right, *verdict.kind) != right.end();
+}
+
+bool HardeningOutcome::is_told() const {
+  return exact.slope.has_value();
 }
 
 std::optional<double> MaskOutcome::precision() const {
@@ -178,6 +190,15 @@ size_t SelftestResults::right_causes() const {
   return static_cast<size_t>(std::ranges::count_if(causes, &CauseOutcome::is_right));
 }
 
+size_t SelftestResults::scenes_with_penumbrae() const {
+  return static_cast<size_t>(
+      std::ranges::count_if(hardening, [](const HardeningOutcome& o) { return o.penumbrae > 0; }));
+}
+
+size_t SelftestResults::telling_hardening() const {
+  return static_cast<size_t>(std::ranges::count_if(hardening, &HardeningOutcome::is_told));
+}
+
 const BenignOutcome* SelftestResults::nearest_benign() const {
   const auto nearest =
       std::ranges::max_element(benign, {}, [](const BenignOutcome& o) { return worst_severity(o.verdict); });
@@ -202,9 +223,12 @@ bool SelftestResults::passes(const SelftestTargets& targets) const {
   });
   const bool causes_pass =
       static_cast<double>(right_causes()) >= targets.cause * static_cast<double>(causes.size());
-  const bool any = !benign.empty() || !faults.empty() || !masks.empty() || !causes.empty();
-  return any && causes_pass && found() == faults.size() && false_alarms() == 0 && masks_pass &&
-         static_cast<double>(right()) >= targets.right * static_cast<double>(faults.size());
+  const bool hardening_passes = static_cast<double>(telling_hardening()) >=
+                                targets.hardening * static_cast<double>(scenes_with_penumbrae());
+  const bool any =
+      !benign.empty() || !faults.empty() || !masks.empty() || !causes.empty() || !hardening.empty();
+  return any && causes_pass && hardening_passes && found() == faults.size() && false_alarms() == 0 &&
+         masks_pass && static_cast<double>(right()) >= targets.right * static_cast<double>(faults.size());
 }
 
 SelftestResults run_selftest(std::span<const SceneJob> jobs, const SelftestSettings& settings,
@@ -220,7 +244,10 @@ SelftestResults run_selftest(std::span<const SceneJob> jobs, const SelftestSetti
       try_benign(suite.variants, stage, results);
       try_masks(suite.masks, stage, results);
       try_faults(suite.faults, stage, results);
-      if (round == settings.rounds.front()) try_causes(suite.causes, stage, results.causes);
+      if (round == settings.rounds.front()) {
+        try_causes(suite.causes, stage, results.causes);
+        if (settings.parts.hardening) results.hardening.push_back(try_hardening(stage));
+      }
       progress.advance(1);
     }
   }

@@ -47,10 +47,19 @@ struct MaskOutcome {
   std::optional<double> recall() const;
 };
 
+/// Whether the widths of a scene's true penumbrae differ enough to tell contact hardening by.
+struct HardeningOutcome {
+  std::string scene;
+  size_t penumbrae = 0;    // profiles of the truth, accepted or not
+  ContactHardening exact;  // of the truth drawn again; no technique can tell more
+  bool is_told() const;
+};
+
 struct SelftestTargets {
-  double right = 0.95;  // share of faults
-  double mask = 0.95;   // precision and recall
-  double cause = 0.95;  // share of faults whose cause can be undone
+  double right = 0.95;             // share of faults
+  double mask = 0.95;              // precision and recall
+  double cause = 0.95;             // share of faults whose cause can be undone
+  double hardening = 10.0 / 14.0;  // share of scenes with penumbrae
 };
 
 struct SelftestResults {
@@ -58,13 +67,15 @@ struct SelftestResults {
   std::vector<FaultOutcome> faults;
   std::vector<BenignOutcome> benign;
   std::vector<LeftOut> left_out;
-  std::vector<MaskOutcome> masks;    // of scenes with a place for them
-  std::vector<CauseOutcome> causes;  // of the first round
+  std::vector<MaskOutcome> masks;           // of scenes with a place for them
+  std::vector<CauseOutcome> causes;         // of the first round
+  std::vector<HardeningOutcome> hardening;  // of the first round
   /// The benign trial that came nearest to a limit; null without any.
   const BenignOutcome* nearest_benign() const;
   /// Sums over scenes and rounds, one a mask; `scene` is empty.
   std::vector<MaskOutcome> masks_over_scenes() const;
-  size_t found() const, right() const, false_alarms() const, right_causes() const;
+  size_t found() const, right() const, false_alarms() const, right_causes() const, telling_hardening() const,
+      scenes_with_penumbrae() const;
   bool passes(const SelftestTargets& targets = {}) const;
 };
 

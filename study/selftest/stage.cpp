@@ -175,11 +175,13 @@ std::optional<double> Stage::coarse_edges(const TechniqueChoice& choice) {
 }
 
 Image Stage::picture_of_shadows(const TechniqueChoice& choice, const Scene& changed) {
-  return with_shadows_of(render(renderers_.realtime, changed, seed_, choice), picture(choice), eye_world());
+  return shadows_of(choice, changed, picture(choice));
 }
 
-Image Stage::picture_of(const TechniqueChoice& choice, const Scene& changed, const Image* blocker_truth) {
-  return render(renderers_.realtime, changed, seed_, choice, blocker_truth);
+Image Stage::shadows_of(const TechniqueChoice& choice, const Scene& changed, const Image& surfaces,
+                        const Image* blocker_truth) {
+  return with_shadows_of(render(renderers_.realtime, changed, seed_, choice, blocker_truth), surfaces,
+                         eye_world());
 }
 
 }  // namespace umbrameter

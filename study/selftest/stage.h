@@ -35,15 +35,23 @@ struct TechniqueChoice {
   ParameterValues parameters;
 };
 
+/// What is asked of every scene.
+struct SelftestParts {
+  bool benign = true;      // changes that are no faults, and masks
+  bool faults = true;      // those of the scene
+  bool causes = false;     // what mends faults, in the first round
+  bool hardening = false;  // whether the scene tells contact hardening, in the first round
+};
+
 struct SelftestSettings {
   std::vector<SelftestRound> rounds = {SelftestRound{}};
-  bool benign_only = false;  // and masks, but no faults
+  SelftestParts parts;
   std::string only;          // trials whose name contains it; empty: all
   size_t fewest_benign = 0;  // further rounds of other sizes and seeds until there are as many
   std::filesystem::path techniques_folder, shaders_folder;  // to make mutants from
   std::filesystem::path scratch_folder;                     // where mutants go
   std::filesystem::path pictures_folder;                    // of what was judged; empty: none are kept
-  /// What a choice is, with all its parameters and those that may be replaced; empty: no causes are tried.
+  /// What a choice is, with all its parameters and those that may be replaced; needed for causes.
   std::function<TechniqueRun(const TechniqueChoice&)> describe_run;
 };
 
@@ -93,8 +101,9 @@ class Stage {
   std::optional<double> coarse_edges(const TechniqueChoice& choice);
   /// The shadows that `choice` draws of a changed scene, on the surfaces of this one.
   Image picture_of_shadows(const TechniqueChoice& choice, const Scene& changed);
-  /// What `choice` draws of a changed scene, on its own surfaces; `blocker_truth` as RenderRequest's.
-  Image picture_of(const TechniqueChoice& choice, const Scene& changed, const Image* blocker_truth = nullptr);
+  /// The same on the surfaces of another picture of this scene; `blocker_truth` as RenderRequest's.
+  Image shadows_of(const TechniqueChoice& choice, const Scene& changed, const Image& surfaces,
+                   const Image* blocker_truth = nullptr);
 
  private:
   std::string key_of(const std::string& what) const;
