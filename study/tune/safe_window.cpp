@@ -38,20 +38,42 @@ class Sweep {
   Sweep(const Parameter& axis, const MeasureWindow& measure, const std::function<bool()>& goes_on)
       : axis_(axis), measure_(measure), goes_on_(goes_on) {}
 
-  bool add(double position) {
+  bool add(double position) { return add_value(std::get<double>(value_at(axis_, position))); }
+
+  bool add_value(double value) {
     if (!goes_on_()) return false;
-    const double value = std::get<double>(value_at(axis_, position));
     if (!tried_.insert(value).second) return true;
     if (const auto point = measure_(value)) points.push_back(*point);
     std::ranges::sort(points, {}, &WindowPoint::value);
     return true;
   }
 
+  /// The ends of a window, what was tried next beyond them, and its middle.
+  bool add_ends(const SafeWindow& before) {
+    const double middle = 0.5 * (position_of(axis_, *before.from) + position_of(axis_, *before.to));
+    const auto is_at = [](double value) {
+      return [value](const WindowPoint& p) { return p.value == value; };
+    };
+    const auto from = std::ranges::find_if(before.points, is_at(*before.from));
+    const auto to = std::ranges::find_if(before.points, is_at(*before.to));
+    const bool has_below = from != before.points.begin(), has_above = to + 1 != before.points.end();
+    return add_value(from->value) && add_value(to->value) && add(middle) &&
+           (!has_below || add_value((from - 1)->value)) && (!has_above || add_value((to + 1)->value));
+  }
+
+  bool has_ends(const SafeWindow& window, double tolerance) const {
+    return lower_end(points, tolerance) == window.from && upper_end(points, tolerance) == window.to;
+  }
+
   /// Upwards, to the first value that is too high and not too low.
   bool add_levels(double tolerance) {
     for (int i = 0; i <= kSteps; ++i) {
-      if (!add(static_cast<double>(i) / kSteps)) return false;
-      if (!points.empty() && is_only_too_high(points.back(), tolerance)) return true;
+      const double value = std::get<double>(value_at(axis_, static_cast<double>(i) / kSteps));
+      if (!add_value(value)) return false;
+      const auto point = std::ranges::find(points, value, &WindowPoint::value);
+      if (point == points.end() || !is_only_too_high(*point, tolerance)) continue;
+      points.erase(point + 1, points.end());
+      return true;
     }
     return true;
   }
@@ -109,7 +131,7 @@ std::optional<double> in_world_units(const std::string& unit, double length, dou
 }
 
 SafeWindow find_window(const Parameter& axis, const MeasureWindow& measure,
-                       const std::function<bool()>& goes_on) {
+                       const std::function<bool()>& goes_on, const SafeWindow* before) {
   Sweep sweep(axis, measure, goes_on);
   SafeWindow out;
   out.parameter = axis.name;
@@ -117,8 +139,11 @@ SafeWindow find_window(const Parameter& axis, const MeasureWindow& measure,
   out.kind = window_of(axis).value_or(WindowKind::bias);
   out.falls = falls(axis);
   const double tolerance = tolerance_of(out.kind);
-  out.is_complete = sweep.add_levels(tolerance) && sweep.refine(lower_end, tolerance, true) &&
-                    sweep.refine(upper_end, tolerance, false);
+  const bool is_known = before != nullptr && before->has_window();
+  out.is_complete = !is_known || sweep.add_ends(*before);
+  if (out.is_complete && !(is_known && sweep.has_ends(*before, tolerance)))
+    out.is_complete = sweep.add_levels(tolerance) && sweep.refine(lower_end, tolerance, true) &&
+                      sweep.refine(upper_end, tolerance, false);
   out.points = std::move(sweep.points);
   if (!out.is_complete) return out;
   out.from = lower_end(out.points, tolerance);

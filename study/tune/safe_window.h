@@ -55,8 +55,10 @@ std::optional<double> in_texels(const std::string& unit, double length, double t
 std::optional<double> in_world_units(const std::string& unit, double length, double texel_world);
 
 /// Steps up the axis, to the first value that is too high and not too low, then bisection of both ends: what looks like acne
-/// on shadows that are detached or moved aside bounds nothing. `goes_on` is asked before each measurement.
+/// on shadows that are detached or moved aside bounds nothing. `goes_on` is asked before each measurement. With a window that
+/// was found beside other values its ends are asked first, with their neighbours beyond and the middle: where they still
+/// hold, that is all.
 SafeWindow find_window(const Parameter& axis, const MeasureWindow& measure,
-                       const std::function<bool()>& goes_on);
+                       const std::function<bool()>& goes_on, const SafeWindow* before = nullptr);
 
 }  // namespace umbrameter

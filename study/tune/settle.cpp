@@ -41,12 +41,20 @@ class Settling {
   Judge* checked_;
 };
 
+/// The best on the cameras searched, as many as finalists: only they are asked on the others.
+std::vector<ParameterValues> first_of(std::span<const ParameterValues> all, Judge& searched) {
+  std::vector<ParameterValues> sorted(all.begin(), all.end());
+  std::ranges::stable_sort(sorted, {}, [&](const ParameterValues& values) { return searched.ratio(values); });
+  sorted.resize(std::min(sorted.size(), kFinalists));
+  return sorted;
+}
+
 }  // namespace
 
 ParameterValues settle(const SearchSpace& space, const SearchResult& found,
                        std::span<const ParameterValues> by_hand, Judge& searched, Judge* checked) {
   Settling settling(searched, checked);
-  const ParameterValues plain = settling.best_of(by_hand);
+  const ParameterValues plain = settling.best_of(first_of(by_hand, searched));
   const std::vector<ParameterValues> finalists = best_values(found.trials, kFinalists);
   const ParameterValues best = settling.best_of(finalists);
   if (!settling.is_worth(best, plain)) return plain;

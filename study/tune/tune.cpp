@@ -16,8 +16,14 @@ namespace umbrameter {
 namespace {
 
 constexpr double kCoarseShare = 0.5;  // of the search's evaluations and time
-// Of the time, until when each goes on.
-constexpr double kSearchShare = 0.7, kTunedWindowsShare = 0.8;
+// Of the time, until when the search goes on: so long that what comes after it can be measured.
+constexpr double kLeastSearchShare = 0.5;  // of what the windows left
+constexpr double kMostSearchShare = 0.7;
+constexpr double kTunedWindowsShare = 0.8;
+constexpr double kOwnCost =
+    2.0;  // of a preset with taps and a map of its own, in pictures at the defaults' cost
+constexpr size_t kTunedWindowPoints = 8;  // of a window whose ends are nearly known
+constexpr size_t kHeldOutPerScene = 2 * kHeldOutShares.size();
 constexpr size_t kKept = 5;  // coarse trials that are tried at full size
 
 size_t default_evaluations(size_t axes) {
@@ -42,6 +48,7 @@ class Tuning {
     start_search_ = Clock::now();
     result_.texel_world = median_texel_world(studio_, judge.views().front(), base());
     result_.windows = windows(judge, base(), 1.0);
+    search_share_ = find_search_share(judge.views().size());
     std::optional<Judge> checked = plan_.cameras > 1 ? judge_elsewhere(judge, kCheckedShares) : std::nullopt;
     progress_.begin("tuning " + plan_.technique.id, evaluations());
     SearchResult found = search(judge);
@@ -71,12 +78,32 @@ class Tuning {
  private:
   const ParameterValues& base() const { return plan_.technique.parameters; }
 
-  size_t evaluations() const {
-    if (plan_.evaluations > 0) return plan_.evaluations;
+  size_t active_axes() const {
     const auto acts = [&](const Parameter& axis) {
       return !plan_.is_active || plan_.is_active(axis, base());
     };
-    return default_evaluations(static_cast<size_t>(std::ranges::count_if(space_, acts)));
+    return static_cast<size_t>(std::ranges::count_if(space_, acts));
+  }
+
+  size_t evaluations() const {
+    return plan_.evaluations > 0 ? plan_.evaluations : default_evaluations(active_axes());
+  }
+
+  /// Of the time: what is left when tuned windows, presets and sensitivities take as long a picture as the windows did.
+  double find_search_share(size_t views) const {
+    size_t drawn = 0;
+    for (const SafeWindow& window : result_.windows) drawn += views * window.points.size();
+    const auto own_cost = std::ranges::count(candidates_, false, &Candidate::same_cost);
+    const double others = static_cast<double>(candidates_.size() - static_cast<size_t>(own_cost)) +
+                          kOwnCost * static_cast<double>(own_cost);
+    const size_t after_each = views * (kTunedWindowPoints * result_.windows.size() + 2 * active_axes());
+    const size_t held_out = plan_.cameras > 1 ? scenes_.size() * kHeldOutPerScene : 0;
+    const double after = static_cast<double>(after_each) + others * static_cast<double>(views + held_out);
+    const double spent_s = seconds_since(start_search_);
+    const double a_picture_s = drawn > 0 ? spent_s / static_cast<double>(drawn) : 0.0;
+    const double spent = std::min(1.0, spent_s / plan_.time_limit_s);
+    const double least = spent + kLeastSearchShare * (1.0 - spent);
+    return std::max(least, std::min(kMostSearchShare, 1.0 - after * a_picture_s / plan_.time_limit_s));
   }
 
   std::function<bool()> time_is_up_after(double share) const {
@@ -101,7 +128,7 @@ class Tuning {
   }
 
   SearchResult search(Judge& judge) {
-    const double share = kSearchShare;
+    const double share = search_share_;
     // settle() may ask for one more an axis.
     const size_t count = evaluations() - std::min(evaluations() / 2, space_.size());
     if (!plan_.coarse)
@@ -176,15 +203,17 @@ class Tuning {
     }
   }
 
-  std::vector<SafeWindow> windows(const Judge& judge, const ParameterValues& values, double time_share) {
-    return find_windows(studio_, judge, space_, plan_.is_active, plan_.objective, values,
-                        [is_up = time_is_up_after(time_share)] { return !is_up(); });
+  std::vector<SafeWindow> windows(const Judge& judge, const ParameterValues& values, double time_share,
+                                  std::span<const SafeWindow> before = {}) {
+    return find_windows(
+        studio_, judge, space_, plan_.is_active, plan_.objective, values,
+        [is_up = time_is_up_after(time_share)] { return !is_up(); }, before);
   }
 
   /// Beside the values that were found, if they are others.
   void find_tuned_windows(const Judge& judge) {
     if (result_.best.values == base()) return;
-    std::vector<SafeWindow> found = windows(judge, result_.best.values, kTunedWindowsShare);
+    std::vector<SafeWindow> found = windows(judge, result_.best.values, kTunedWindowsShare, result_.windows);
     const auto is_complete = [](const SafeWindow& window) { return window.is_complete; };
     if (!std::ranges::all_of(found, is_complete))
       result_.notes.push_back("the time was up: not every safe window was measured beside the tuned values");
@@ -228,6 +257,7 @@ class Tuning {
   Studio studio_;
   std::map<std::string, Arc> arcs_;  // by scene
   TuneResult result_;
+  double search_share_ = kMostSearchShare;
 };
 
 }  // namespace

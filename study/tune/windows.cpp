@@ -81,7 +81,8 @@ double median_texel_world(Studio& studio, const View& view, const ParameterValue
 
 std::vector<SafeWindow> find_windows(Studio& studio, const Judge& judge, const SearchSpace& space,
                                      const IsActive& is_active, Objective objective,
-                                     const ParameterValues& values, const GoesOn& goes_on) {
+                                     const ParameterValues& values, const GoesOn& goes_on,
+                                     std::span<const SafeWindow> before) {
   std::vector<SafeWindow> windows;
   for (const Parameter& axis : space) {
     const auto kind = window_of(axis);
@@ -92,7 +93,8 @@ std::vector<SafeWindow> find_windows(Studio& studio, const Judge& judge, const S
       moved[axis.name] = value;
       return measure.at(moved, value);
     };
-    windows.push_back(find_window(axis, at, goes_on));
+    const auto known = std::ranges::find(before, axis.name, &SafeWindow::parameter);
+    windows.push_back(find_window(axis, at, goes_on, known == before.end() ? nullptr : &*known));
   }
   return windows;
 }

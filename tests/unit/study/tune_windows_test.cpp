@@ -92,6 +92,32 @@ TEST(SafeWindows, MayReachFromEndToEnd) {
   EXPECT_EQ(*all.to, 32.0);
 }
 
+TEST(SafeWindows, BeginAtTheEndsThatHoldBesideOtherValues) {
+  const SafeWindow before = window(0.5, 3.0);
+  const auto again = [&](double acne, double detached, size_t& measured) {
+    const MeasureWindow measure = [=, &measured](double bias) {
+      ++measured;
+      const bool looks_like_acne = bias < acne || bias > 5.0 * detached;
+      return WindowPoint{bias, 0.1, looks_like_acne ? 0.02 : 0.0, bias > detached ? 0.03 : 0.0};
+    };
+    return find_window(
+        bias_parameter(), measure, [] { return true; }, &before);
+  };
+  size_t same_count = 0, moved_count = 0;
+  const SafeWindow same = again(0.5, 3.0, same_count);
+  EXPECT_EQ(same_count, 5u);  // both ends, their neighbours beyond, the middle
+  EXPECT_EQ(same.from, before.from);
+  EXPECT_EQ(same.to, before.to);
+  // Elsewhere they are found as if nothing had been known, or between what is known.
+  for (const auto& [acne, detached] : {std::pair(0.2, 3.0), std::pair(0.5, 0.9), std::pair(0.02, 0.3)}) {
+    const SafeWindow moved = again(acne, detached, moved_count);
+    ASSERT_TRUE(moved.has_window()) << acne;
+    EXPECT_NEAR(std::cbrt(*moved.from), std::cbrt(acne), 0.03);
+    EXPECT_NEAR(std::cbrt(*moved.to), std::cbrt(detached), 0.03);
+  }
+  EXPECT_GT(moved_count, 3u * 5u);
+}
+
 Parameter size_parameter() {
   Parameter parameter;
   parameter.name = "light_size_scale";
