@@ -23,7 +23,8 @@ Image extended_blockers(const Image& truth) {
   for (const char* channel : kOffsets) {
     const auto from = truth.plane(channel);
     const auto to = extended.add_plane(channel);
-    for (size_t i = 0; i < to.size(); ++i) to[i] = nearest[i] < 0 ? 0.0f : from[static_cast<size_t>(nearest[i])];
+    for (size_t i = 0; i < to.size(); ++i)
+      to[i] = nearest[i] < 0 ? 0.0f : from[static_cast<size_t>(nearest[i])];
   }
   return extended;
 }
