@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 
 namespace umbrameter {
 namespace {
@@ -47,19 +48,26 @@ SubstitutedRun substituted(const SceneContext& context, const TechniqueFrame& ru
 class Redraw {
  public:
   Redraw(const SceneContext& context, const Image& reference, const TechniqueFrame& run)
-      : context_(context), blockers_(extended_blockers(reference)), run_(run), scene_(context.scene) {}
+      : context_(context), reference_(reference), run_(run), scene_(context.scene) {}
 
   Image operator()(const Replacement& replacement, const Light& light) {
     scene_.lights[scene_.active_light] = light;
     RenderRequest request = request_of(context_.plan.picture, run_.technique, context_.plan.picture.seed);
     request.parameters = replacement.parameters;
-    if (replacement.takes_blocker_truth) request.blocker_truth = &blockers_;
+    if (replacement.takes_blocker_truth) request.blocker_truth = &blockers();
     return context_.renderers.realtime.render(scene_, request, context_.progress).image;
   }
 
  private:
+  /// Made when first asked for: not every truth has what it is made of.
+  const Image& blockers() {
+    if (!blockers_) blockers_ = extended_blockers(reference_);
+    return *blockers_;
+  }
+
   const SceneContext& context_;
-  Image blockers_;
+  const Image& reference_;
+  std::optional<Image> blockers_;
   const TechniqueFrame& run_;
   Scene scene_;
 };

@@ -285,16 +285,18 @@ TEST(FaultCauses, AWidthThatFollowsFromTheBlockersIsNotToBlame) {
 }
 
 TEST(BlockerExtension, SaysHowFarBlockersAreAndNotWhetherThereAreAny) {
-  Image truth(4, 1);
-  std::ranges::copy(std::vector<float>{0.0f, 1.0f, 0.0f, 0.0f}, truth.add_plane("blocker_offset.x").begin());
-  std::ranges::copy(std::vector<float>{0.0f, 0.0f, 0.0f, 2.0f}, truth.add_plane("blocker_offset.y").begin());
+  Image truth(5, 1);
+  std::ranges::copy(std::vector<float>{0.0f, 1.0f, 0.0f, 0.0f, 0.0f},
+                    truth.add_plane("blocker_offset.x").begin());
+  std::ranges::copy(std::vector<float>{0.0f, 0.0f, 0.0f, 0.0f, 2.0f},
+                    truth.add_plane("blocker_offset.y").begin());
   truth.add_plane("blocker_offset.z");
   const Image extended = extended_blockers(truth);
-  EXPECT_THAT(extended.plane("blocker_offset.x"), testing::ElementsAre(1.0f, 1.0f, 1.0f, 0.0f));
-  EXPECT_THAT(extended.plane("blocker_offset.y"), testing::ElementsAre(0.0f, 0.0f, 0.0f, 2.0f));
+  EXPECT_THAT(extended.plane("blocker_offset.x"), testing::ElementsAre(1.0f, 1.0f, 1.0f, 0.0f, 0.0f));
+  EXPECT_THAT(extended.plane("blocker_offset.y"), testing::ElementsAre(0.0f, 0.0f, 0.0f, 2.0f, 2.0f));
   EXPECT_THAT(extended.plane("blocker_offset.z"), testing::Each(0.0f));
-  truth.planes["blocker_offset.x"].assign(4, 0.0f);
-  truth.planes["blocker_offset.y"].assign(4, 0.0f);
+  truth.planes["blocker_offset.x"].assign(5, 0.0f);
+  truth.planes["blocker_offset.y"].assign(5, 0.0f);
   EXPECT_THAT(extended_blockers(truth).plane("blocker_offset.x"), testing::Each(0.0f));
 }
 
