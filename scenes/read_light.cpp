@@ -17,8 +17,12 @@ const std::array<std::string, 4> kTypes = {"rect", "disk", "sphere", "sun"};
 constexpr double kMinSine = 1e-6;  // of the angle between tangent and direction
 constexpr double kVerticalSine = 1e-3;
 
+const dvec3 kDown(0, -1, 0);
+
 dvec3 read_direction(TomlReader& reader, const Light& light) {
   const bool has_at = reader.has("at");
+  // A sphere shines to all sides: where a map of it looks is all that this decides.
+  if (light.type == LightType::sphere && !has_at && !reader.has("direction")) return kDown;
   if (has_at == reader.has("direction")) {
     reader.fail("direction",
                 has_at ? "give either 'direction' or 'at', not both" : "'direction' or 'at' is missing",
