@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "realtime/executor/blocker_truth.h"
 
+#include "core/blocker_planes.h"
 #include "core/error.h"
 
 #include <algorithm>
-#include <array>
 
 namespace umbrameter {
 namespace {
-
-constexpr std::array<const char*, 3> kPlanes = {"blocker_offset.x", "blocker_offset.y", "blocker_offset.z"};
 
 void require_truth_of(const Image& truth, int width_px, int height_px) {
   if (truth.width != width_px || truth.height != height_px)
     fail_input(fmt::format("the truth is {} x {} px, the picture {} x {}", truth.width, truth.height,
                            width_px, height_px));
-  for (const char* plane : kPlanes) {
+  for (const char* plane : kBlockerOffsetPlanes) {
     if (!truth.has(plane)) fail_input(fmt::format("the truth has no plane '{}'", plane));
   }
 }
@@ -25,10 +23,10 @@ void require_truth_of(const Image& truth, int width_px, int height_px) {
 Texture upload_blocker_truth(const Image& truth, int width_px, int height_px) {
   require_truth_of(truth, width_px, height_px);
   const auto width = static_cast<size_t>(width_px), height = static_cast<size_t>(height_px);
-  const size_t components = kPlanes.size() + 1;
+  const size_t components = kBlockerOffsetPlanes.size() + 1;
   std::vector<float> texels(width * height * components);
-  for (size_t k = 0; k < kPlanes.size(); ++k) {
-    const std::span<const float> plane = truth.plane(kPlanes[k]);
+  for (size_t k = 0; k < kBlockerOffsetPlanes.size(); ++k) {
+    const std::span<const float> plane = truth.plane(kBlockerOffsetPlanes[k]);
     for (size_t i = 0; i < plane.size(); ++i) {
       const size_t row = height - 1 - i / width;
       texels[(row * width + i % width) * components + k] = plane[i];
