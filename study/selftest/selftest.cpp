@@ -223,8 +223,10 @@ bool SelftestResults::passes(const SelftestTargets& targets) const {
   });
   const bool causes_pass =
       static_cast<double>(right_causes()) >= targets.cause * static_cast<double>(causes.size());
-  const bool hardening_passes = static_cast<double>(telling_hardening()) >=
-                                targets.hardening * static_cast<double>(scenes_with_penumbrae());
+  const bool hardening_passes =
+      hardening.empty() ||
+      (scenes_with_penumbrae() > 0 && static_cast<double>(telling_hardening()) >=
+                                          targets.hardening * static_cast<double>(scenes_with_penumbrae()));
   const bool any =
       !benign.empty() || !faults.empty() || !masks.empty() || !causes.empty() || !hardening.empty();
   return any && causes_pass && hardening_passes && found() == faults.size() && false_alarms() == 0 &&
