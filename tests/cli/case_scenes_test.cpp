@@ -2,6 +2,7 @@
 // Scenes as people write them, from file to verdict: without these a wide blur could be called acne again, a post thinner than a
 // texel peter panning, and a lamp in a wall could pass without a word.
 
+#include "tests/support/case_scenes.h"
 #include "tests/cli/cli_fixture.h"
 
 #include <gmock/gmock.h>
@@ -42,25 +43,7 @@ class CaseScenes : public CliTest {
 };
 
 TEST_F(CaseScenes, ABlurThatIsTooWideAtAContactIsAPenumbraThatIsTooWide) {
-  write("board.toml", R"([camera]
-eye = [0, 4, 6]
-at = [0, 0, 0]
-fov_deg = 45
-[[mesh]]
-shape = "plane"
-size = [12, 12]
-[[mesh]]
-shape = "box"
-size = [0.6, 0.05, 4]
-axis = [1, 0, 0]
-rotate_deg = 30
-translate = [0, 1.1, 0]
-[[light]]
-type = "disk"
-center = [3, 6, 0]
-at = [0, 0, 0]
-radius = 0.5
-)");
+  write("board.toml", kLeaningBoard);
   const auto errors = faults("board.toml", "pcf_disk:radius_texels=32");
   EXPECT_EQ(worst(errors), "penumbra_too_wide");
   for (const auto& [name, error] : errors) {

@@ -5,6 +5,7 @@
 #include "metrics/faults.h"
 #include "metrics/parity.h"
 #include "tests/gpu/technique_fixture.h"
+#include "tests/support/case_scenes.h"
 #include "tests/support/source_dir.h"
 #include "tests/support/temporary_folder.h"
 
@@ -17,6 +18,7 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 
 namespace umbrameter {
 namespace {
@@ -27,7 +29,7 @@ Scene library(const std::string& name) {
   return load_scene(source_dir() / "scenes/library" / (name + ".toml"), SceneSearch{});
 }
 
-Scene scene_of(const std::string& text) {
+Scene scene_of(std::string_view text) {
   const TemporaryFolder folder;
   write_file_atomically(folder.path() / "scene.toml", text);
   return load_scene(folder.path() / "scene.toml", SceneSearch{});
@@ -111,26 +113,7 @@ TEST(Diagnosis, HardeningIsIdentifiableWhereTrueWidthsDiffer) {
 
 TEST(Diagnosis, AFilterThatIsTooWideAtAContactIsNoAcneAndNoLeak) {
   UMBRAMETER_REQUIRE_GL();
-  const Scene board = scene_of(R"(title = "Board leaning over the floor"
-[camera]
-eye = [0, 4, 6]
-at = [0, 0, 0]
-fov_deg = 45
-[[mesh]]
-shape = "plane"
-size = [12, 12]
-[[mesh]]
-shape = "box"
-size = [0.6, 0.05, 4]
-axis = [1, 0, 0]
-rotate_deg = 30
-translate = [0, 1.1, 0]
-[[light]]
-type = "disk"
-center = [3, 6, 0]
-at = [0, 0, 0]
-radius = 0.5
-)");
+  const Scene board = scene_of(kLeaningBoard);
   const Faults faults = diagnosed(board, "pcf_disk", {{"radius_texels", 32.0}}, 480, 270).faults;
   EXPECT_EQ(worst(faults), FaultClass::penumbra_too_wide);
   for (const FaultClass fault : {FaultClass::acne, FaultClass::geometric_leak, FaultClass::peter_panning})

@@ -39,10 +39,10 @@ import re, sys
 print(re.search(r"^```python\n(.*?)^```", open(sys.argv[1]).read(), re.M | re.S)[1])
 PY
 inside sh -c 'cd /root && python3 example.py' || fail "README's Python example failed"
-inside python3 -c '
+inside env -C /root python3 -c '
 import umbrameter as um
 try:
-    um.frames("/root/out")
+    um.frames("out")
 except um.MachineError as error:
     assert "python3-pandas" in str(error), error
 else:
