@@ -39,20 +39,20 @@ std::string usage_problem(const CLI::App& app, const CLI::ParseError& error) {
   return fmt::format("unknown command '{}' ({})", unknown.front(), suggest_name(unknown.front(), known));
 }
 
-struct Group {
+struct VerbGroup {
   const char* title;
   std::vector<const char*> verbs;
 };
 
 /// The headings of --help; a verb that none of them lists stands under CLI11's own.
 void group_verbs(CLI::App& app) {
-  const Group groups[] = {
+  const VerbGroup groups[] = {
       {"Measure", {"validate", "score", "bench", "tune"}},
       {"Studies of many runs", {"plan", "sweep", "merge", "export", "report"}},
       {"Guard against regressions", {"regress", "stress", "selftest"}},
       {"Look at one thing", {"view", "reference", "render", "scene", "techniques", "engines"}},
       {"Help", {"doctor", "help"}}};
-  for (const Group& group : groups) {
+  for (const VerbGroup& group : groups) {
     for (const char* name : group.verbs) app.get_subcommand(name)->group(group.title);
   }
 }

@@ -15,7 +15,7 @@
 namespace umbrameter {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 /// A part that this machine lacks: what is lost and what would bring it.
 struct Missing {
@@ -89,7 +89,7 @@ Trial try_renderers(const GlobalOptions& global, const Home& home, const SceneSe
   return trial;
 }
 
-Json device_json(const GlDevice& device) {
+OrderedJson device_json(const GlDevice& device) {
   return {{"index", device.index},
           {"renderer", device.renderer},
           {"version", device.version},
@@ -114,7 +114,7 @@ int doctor(const GlobalOptions& global) {
                                  kCommit, UMBRAMETER_EMBREE_VERSION, UMBRAMETER_OPENIMAGEIO_VERSION);
   text += fmt::format("library        {}: {} scenes, {} of them without their assets\nassets         {}\n",
                       home.library.string(), scenes.size(), missing, assets);
-  Json devices = Json::array();
+  OrderedJson devices = OrderedJson::array();
   const std::vector<GlDevice> all_devices = list_gl_devices();
   for (const GlDevice& device : all_devices) {
     devices.push_back(device_json(device));
@@ -129,7 +129,7 @@ int doctor(const GlobalOptions& global) {
     print_answer(verdict_text(missing_parts));
     return kExitFine;
   }
-  Json lacking = Json::array();
+  OrderedJson lacking = OrderedJson::array();
   for (const auto& [loss, remedy] : missing_parts) lacking.push_back({{"loss", loss}, {"remedy", remedy}});
   print_json({{"version", kVersion},
               {"commit", kCommit},

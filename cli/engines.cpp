@@ -13,12 +13,12 @@
 namespace umbrameter {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 constexpr int kWidth_px = 192, kHeight_px = 108;
 
-Json lights_json(const Engine& engine) {
-  Json lights = Json::object();
+OrderedJson lights_json(const Engine& engine) {
+  OrderedJson lights = OrderedJson::object();
   for (const auto& [type, text] : engine.lights) lights[std::string(to_text(type))] = text;
   return lights;
 }
@@ -30,8 +30,8 @@ std::string light_names(const Engine& engine) {
   return names;
 }
 
-int list(const GlobalOptions& global) {
-  Json engines = Json::array();
+int list_engines(const GlobalOptions& global) {
+  OrderedJson engines = OrderedJson::array();
   std::vector<std::vector<std::string>> rows;
   for (const Engine& engine : list_engines(find_home().engines)) {
     const bool is_installed = engine.missing.empty();
@@ -59,12 +59,12 @@ std::string parity_of(const Frame& frame) {
 }
 
 /// A small picture of one built-in scene for each light type that the engine supports.
-Json try_lights(const Engine& engine, const std::string& request_text, const GlobalOptions& global,
-                const Home& home) {
+OrderedJson try_lights(const Engine& engine, const std::string& request_text, const GlobalOptions& global,
+                       const Home& home) {
   const auto renderer = open_realtime_renderer(global, home);
   const TechniqueRun run = choose_technique(request_text, {}, home);
   SilentProgress progress;
-  Json lights = Json::object();
+  OrderedJson lights = OrderedJson::object();
   for (const auto& [type, job] : scenes_by_light(scene_search(global, home))) {
     if (!engine.supports(type)) continue;
     const RenderRequest request{.width_px = kWidth_px,
@@ -81,7 +81,7 @@ Json try_lights(const Engine& engine, const std::string& request_text, const Glo
 }
 
 /// Loads the manifest, starts the engine, and lets it draw once for every light type that it supports.
-int check(const std::string& id_or_path, const GlobalOptions& global) {
+int check_engine(const std::string& id_or_path, const GlobalOptions& global) {
   const Home home = find_home();
   const std::filesystem::path folder = find_engine_folder(id_or_path, home.engines);
   if (folder.empty())
@@ -95,7 +95,8 @@ int check(const std::string& id_or_path, const GlobalOptions& global) {
     found = check_engine(engine, staging.folder());
   }
   const bool has_finished_pictures = engine.form == EngineForm::pictures;
-  const Json lights = has_finished_pictures ? Json::object() : try_lights(engine, id_or_path, global, home);
+  const OrderedJson lights =
+      has_finished_pictures ? OrderedJson::object() : try_lights(engine, id_or_path, global, home);
   if (global.json) {
     print_json({{"id", engine.id},
                 {"version", found.version},
@@ -110,7 +111,7 @@ int check(const std::string& id_or_path, const GlobalOptions& global) {
     text +=
         fmt::format("{}: {}; on '{}' the surfaces agree in {}\n", type, light["becomes"].get<std::string>(),
                     light["scene"].get<std::string>(), light["surfaces_agree"].get<std::string>());
-    for (const Json& warning : light["warnings"])
+    for (const OrderedJson& warning : light["warnings"])
       print_warning(fmt::format("{}: {}", type, warning.get<std::string>()));
   }
   print_answer(text);
@@ -125,11 +126,11 @@ void add_engines(CLI::App& app, CommandLine& line) {
   verb->fallthrough();
   verb->require_subcommand(0, 1);
   verb->callback([&line, verb] {
-    if (verb->get_subcommands().empty()) line.verb = [&line] { return list(line.global); };
+    if (verb->get_subcommands().empty()) line.verb = [&line] { return list_engines(line.global); };
   });
   CLI::App* list_verb = verb->add_subcommand("list", "the engines that ship, and whether they are installed");
   list_verb->fallthrough();
-  list_verb->callback([&line] { line.verb = [&line] { return list(line.global); }; });
+  list_verb->callback([&line] { line.verb = [&line] { return list_engines(line.global); }; });
   CLI::App* show_verb = verb->add_subcommand("show", "one engine with its parameters and presets");
   show_verb->fallthrough();
   show_verb->add_option("engine", *name, "id or folder")->required();
@@ -139,7 +140,8 @@ void add_engines(CLI::App& app, CommandLine& line) {
       verb->add_subcommand("check", "load an engine, start it, and draw a small picture with each light");
   check_verb->fallthrough();
   check_verb->add_option("engine", *name, "id or folder")->required();
-  check_verb->callback([name, &line] { line.verb = [name, &line] { return check(*name, line.global); }; });
+  check_verb->callback(
+      [name, &line] { line.verb = [name, &line] { return check_engine(*name, line.global); }; });
 }
 
 }  // namespace umbrameter

@@ -17,7 +17,7 @@ constexpr double kSilence_s = 2.0;
 constexpr double kLineInterval_s = 5.0;
 constexpr auto kTick = std::chrono::milliseconds(200);
 
-std::string duration_text(double seconds) {
+std::string remaining_text(double seconds) {
   const auto whole = static_cast<long>(std::ceil(seconds));
   return fmt::format("{}:{:02}", whole / 60, whole % 60);
 }
@@ -25,10 +25,10 @@ std::string duration_text(double seconds) {
 }  // namespace
 
 std::string progress_text(const std::string& task, uint64_t done, uint64_t total, double elapsed_s) {
-  if (done == 0 || total == 0) return fmt::format("{}: {} so far", task, duration_text(elapsed_s));
+  if (done == 0 || total == 0) return fmt::format("{}: {} so far", task, remaining_text(elapsed_s));
   const double share = std::min(1.0, static_cast<double>(done) / static_cast<double>(total));
   return fmt::format("{}: {:.0f} %, {} left", task, std::floor(100.0 * share),
-                     duration_text(elapsed_s * (1.0 - share) / share));
+                     remaining_text(elapsed_s * (1.0 - share) / share));
 }
 
 ProgressBar::ProgressBar() : is_terminal_(isatty(STDERR_FILENO) == 1), ticker_([this] { tick(); }) {}

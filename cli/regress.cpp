@@ -186,7 +186,7 @@ void check_options(const RegressOptions& options, const GlobalOptions& global) {
     fail_input(fmt::format("the report '{}' ends neither in .html nor in .md", options.report));
 }
 
-int check(const RegressOptions& options, const GlobalOptions& global) {
+int check_suite(const RegressOptions& options, const GlobalOptions& global) {
   check_options(options, global);
   ProgressBar progress;
   const Home home = find_home();
@@ -248,7 +248,7 @@ void add_regress(CLI::App& app, CommandLine& line) {
   add_suite_options(*record_part, *options);
   record_part->add_option("--reason", options->reason, "why a baseline that is there is made anew");
   CLI::App* check_part = add_part(*verb, line, options, "check",
-                                  "measure a suite and judge it; exit code 1 when a case fails", check);
+                                  "measure a suite and judge it; exit code 1 when a case fails", check_suite);
   add_suite_options(*check_part, *options);
   check_part->add_option("--junit", options->junit, "also write JUnit XML to this file");
   check_part->add_option("--annotate", options->annotate, "also print annotations for a CI server")

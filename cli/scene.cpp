@@ -16,10 +16,10 @@
 namespace umbrameter {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-int list(const GlobalOptions& global) {
-  Json scenes = Json::array();
+int list_scenes(const GlobalOptions& global) {
+  OrderedJson scenes = OrderedJson::array();
   std::vector<std::vector<std::string>> rows;
   for (const SceneEntry& entry : list_scenes(scene_search(global, find_home()))) {
     scenes.push_back({{"name", entry.name},
@@ -47,9 +47,9 @@ std::string describe(const std::vector<Light>& lights) {
   return fmt::format("{} lights: {}", lights.size(), text);
 }
 
-int check(const std::vector<std::string>& names, const GlobalOptions& global) {
+int check_scenes(const std::vector<std::string>& names, const GlobalOptions& global) {
   const SceneSearch search = scene_search(global, find_home());
-  Json scenes = Json::array();
+  OrderedJson scenes = OrderedJson::array();
   std::string text;
   for (const std::string& name : names) {
     const std::filesystem::path file = resolve_scene(name, search);
@@ -62,7 +62,7 @@ int check(const std::vector<std::string>& names, const GlobalOptions& global) {
     std::vector<std::string> warnings = scene.warnings;
     for (std::string& found : check_scene(scene)) warnings.push_back(std::move(found));
     for (const std::string& warning : warnings) text += fmt::format("{}: warning: {}\n", own_name, warning);
-    Json lights = Json::array();
+    OrderedJson lights = OrderedJson::array();
     for (const Light& light : scene.lights)
       lights.push_back({{"name", light.name}, {"type", to_text(light.type)}});
     scenes.push_back({{"name", own_name},
@@ -94,13 +94,13 @@ int plan(const std::vector<std::string>& names, const QualityOptions& options, c
   const Home home = find_home();
   const SceneSearch search = scene_search(global, home);
   const std::vector<TechniqueRun> techniques = all_techniques(home);
-  Json scenes = Json::array();
+  OrderedJson scenes = OrderedJson::array();
   std::string text;
   for (const SceneJob& job : load_all(names, search)) {
     const int64_t pixels = int64_t{quality.picture.width_px} * quality.picture.height_px;
     const int64_t most_shadow_rays = pixels * quality.picture.samples_per_pixel;
-    Json runs = Json::array();
-    Json skips = Json::array();
+    OrderedJson runs = OrderedJson::array();
+    OrderedJson skips = OrderedJson::array();
     text += fmt::format(
         "{}: {} x {} px, {} triangles, {} light '{}'; reference at most {:.1f} million shadow rays\n",
         job.name, quality.picture.width_px, quality.picture.height_px, job.scene.triangles.size(),
@@ -138,11 +138,12 @@ void add_scene(CLI::App& app, CommandLine& line) {
   verb->require_subcommand(1);
   CLI::App* list_verb = verb->add_subcommand("list", "the scenes of the library");
   list_verb->fallthrough();
-  list_verb->callback([&line] { line.verb = [&line] { return list(line.global); }; });
+  list_verb->callback([&line] { line.verb = [&line] { return list_scenes(line.global); }; });
   CLI::App* check_verb = verb->add_subcommand("check", "load scenes and say what is in them");
   check_verb->fallthrough();
   check_verb->add_option("scene", *names, "library names or scene files")->required();
-  check_verb->callback([names, &line] { line.verb = [names, &line] { return check(*names, line.global); }; });
+  check_verb->callback(
+      [names, &line] { line.verb = [names, &line] { return check_scenes(*names, line.global); }; });
   auto quality = std::make_shared<QualityOptions>();
   CLI::App* plan_verb =
       verb->add_subcommand("plan", "what validate would render, and what it would skip and why");

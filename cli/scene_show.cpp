@@ -22,9 +22,9 @@
 namespace umbrameter {
 namespace {
 
-constexpr int kWidth_px = 640;
+constexpr int kPreviewWidth_px = 640;
 constexpr int kHeight_px = 360;
-constexpr int kSamplesPerPixel = 16;
+constexpr int kPreviewSamples = 16;
 constexpr float kFull = 0.8f;    // of white: where a light is brightest
 constexpr float kFaint = 0.12f;  // of white: what faces the camera in the dark
 constexpr std::array<uint8_t, 3> kSky = {58, 66, 82};
@@ -74,17 +74,17 @@ int show_scene(const std::string& name, const GlobalOptions& global) {
   const StagedFile file(global.out.empty() ? "scene.png" : global.out, ".png");
   for (const std::string& warning : jobs.front().scene.warnings) print_warning(warning);
   const PictureQuality picture{
-      .width_px = kWidth_px, .height_px = kHeight_px, .samples_per_pixel = kSamplesPerPixel};
+      .width_px = kPreviewWidth_px, .height_px = kHeight_px, .samples_per_pixel = kPreviewSamples};
   const auto renderer = open_reference_renderer(global, picture);
   ProgressBar progress;
-  std::vector<float> light(size_t{kWidth_px} * kHeight_px, 0.0f);
+  std::vector<float> light(size_t{kPreviewWidth_px} * kHeight_px, 0.0f);
   Image image;
   for (const SceneJob& job : jobs) {
     image = renderer->render(job.scene, request_of(picture), progress).image;
     add_light(image, 1.0f / static_cast<float>(jobs.size()), light);
   }
   const std::vector<uint8_t> rgb = paint(image, jobs.front().scene.camera.eye_world, light);
-  write_png(file.staged(), kWidth_px, kHeight_px, rgb);
+  write_png(file.staged(), kPreviewWidth_px, kHeight_px, rgb);
   file.publish();
   if (global.json) {
     print_json({{"file", file.target().string()}, {"scene", name}, {"lights", jobs.size()}});

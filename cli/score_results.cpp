@@ -105,21 +105,12 @@ Results results_of(const ScoreInputs& inputs, const std::vector<ScoredPicture>& 
   return results;
 }
 
-void check_output(const std::filesystem::path& out) {
-  if (out.empty()) return;
-  if (std::filesystem::exists(out) && !std::filesystem::is_directory(out))
-    fail_input(fmt::format("the output '{}' is not a folder", out.string()));
-  if (std::filesystem::exists(out / "images") && !std::filesystem::exists(out / "results.json"))
-    fail_input(fmt::format("'{}/images' exists and is of no results", out.string()), {},
-               "choose another --out");
-}
-
 }  // namespace
 
 void write_score_results(const ScoreInputs& inputs, const std::vector<ScoredPicture>& scored,
                          const ValidationPlan& plan, const std::string& report, const std::string& out) {
   const std::filesystem::path folder = out;
-  check_output(folder);
+  if (!out.empty()) check_results_folder(folder);
   const Staging staging(out.empty() ? std::filesystem::temp_directory_path() : folder);
   const Results results = results_of(inputs, scored, plan, staging.folder());
   write_file_atomically(staging.folder() / "results.json", to_json_text(results));

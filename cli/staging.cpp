@@ -36,6 +36,14 @@ TemporaryPlace hidden_place(const std::filesystem::path& parent) {
 
 }  // namespace
 
+void check_results_folder(const std::filesystem::path& out) {
+  if (std::filesystem::exists(out) && !std::filesystem::is_directory(out))
+    fail_input(fmt::format("the output '{}' is not a folder", out.string()));
+  if (!std::filesystem::exists(out / "images") || std::filesystem::exists(out / "results.json")) return;
+  fail_input(fmt::format("'{}' exists and is not of an earlier validation", (out / "images").string()), {},
+             "choose another --out");
+}
+
 Staging::Staging(TemporaryPlace place) : place_(std::move(place)), registration_(place_) {}
 
 // Delegates, so that the destructor runs when the folder cannot be made.

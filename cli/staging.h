@@ -28,6 +28,9 @@ class Staging {
   RemovedOnInterruption registration_;
 };
 
+/// Only a folder that earlier results left there may be replaced: Error{input} for anything else at `out`.
+void check_results_folder(const std::filesystem::path& out);
+
 /// One image file to be written: checks name and place at once. Write to `staged()`, then `publish()`.
 class StagedFile {
  public:

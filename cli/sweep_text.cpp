@@ -17,7 +17,7 @@
 namespace umbrameter {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 std::string duration_text(double seconds) {
   if (seconds < 10.0) return fmt::format("{:.1f} s", seconds);
@@ -54,20 +54,20 @@ std::string label_of(const SweepPlan& plan, const PlanStep& step) {
 }
 
 /// Neighbours of one scene, action and reason.
-struct Group {
+struct StepGroup {
   const PlanStep& first;
   size_t count = 0;
   double seconds = 0.0;
 };
 
-std::vector<Group> groups_of(std::span<const PlanStep> steps) {
-  std::vector<Group> groups;
+std::vector<StepGroup> groups_of(std::span<const PlanStep> steps) {
+  std::vector<StepGroup> groups;
   for (const PlanStep& step : steps) {
-    const auto found = std::ranges::find_if(groups, [&](const Group& group) {
+    const auto found = std::ranges::find_if(groups, [&](const StepGroup& group) {
       return group.first.scene == step.scene && group.first.run.has_value() == step.run.has_value() &&
              group.first.action == step.action && group.first.reason == step.reason;
     });
-    Group& group = found == groups.end() ? groups.emplace_back(Group{step}) : *found;
+    StepGroup& group = found == groups.end() ? groups.emplace_back(StepGroup{step}) : *found;
     ++group.count;
     group.seconds += step.estimated_s + step.saved_s;
   }
@@ -93,7 +93,7 @@ std::string run_count(size_t count, const char* what = "run") {
 std::string plan_text(const SweepPlan& plan, std::span<const StudyScene> scenes,
                       std::span<const PlanStep> steps) {
   std::vector<std::vector<std::string>> rows;
-  for (const Group& group : groups_of(steps)) {
+  for (const StepGroup& group : groups_of(steps)) {
     rows.push_back(
         {full_name(scenes[group.first.scene]),
          group.count == 1 ? label_of(plan, group.first) : run_count(group.count),
@@ -111,25 +111,26 @@ std::string plan_text(const SweepPlan& plan, std::span<const StudyScene> scenes,
                      count(StepAction::reuse), count(StepAction::skip), duration_text(totals.saved_s));
 }
 
-Json plan_json(const SweepPlan& plan, std::span<const StudyScene> scenes, std::span<const PlanStep> steps) {
-  Json list = Json::array();
+OrderedJson plan_json(const SweepPlan& plan, std::span<const StudyScene> scenes,
+                      std::span<const PlanStep> steps) {
+  OrderedJson list = OrderedJson::array();
   for (const PlanStep& step : steps) {
-    Json json{{"action", to_text(step.action)},
-              {"scene", scenes[step.scene].name},
-              {"camera", scenes[step.scene].camera},
-              {"label", nullptr},
-              {"seed", nullptr},
-              {"reason", step.reason},
-              {"estimated_s", step.estimated_s},
-              {"saved_s", step.saved_s},
-              {"like", step.like},
-              {"key", step.key}};
+    OrderedJson json{{"action", to_text(step.action)},
+                     {"scene", scenes[step.scene].name},
+                     {"camera", scenes[step.scene].camera},
+                     {"label", nullptr},
+                     {"seed", nullptr},
+                     {"reason", step.reason},
+                     {"estimated_s", step.estimated_s},
+                     {"saved_s", step.saved_s},
+                     {"like", step.like},
+                     {"key", step.key}};
     if (step.run) json["label"] = plan.runs[*step.run].technique.label;
     if (step.run) json["seed"] = plan.runs[*step.run].seed;
     list.push_back(json);
   }
   const Totals totals = totals_of(steps);
-  Json json{{"schema", 1}};
+  OrderedJson json{{"schema", 1}};
   for (const StepAction action : {StepAction::render, StepAction::reuse, StepAction::skip})
     json[std::string(to_text(action))] = totals.runs.contains(action) ? totals.runs.at(action) : 0;
   json["render_references"] = totals.references;
@@ -149,8 +150,8 @@ std::string idle_text(std::span<const IdleParameter> idle, std::span<const Study
          format_table({"scene", "technique", "parameter", "varied by", "which cost"}, rows);
 }
 
-Json idle_json(std::span<const IdleParameter> idle, std::span<const StudyScene> scenes) {
-  Json list = Json::array();
+OrderedJson idle_json(std::span<const IdleParameter> idle, std::span<const StudyScene> scenes) {
+  OrderedJson list = OrderedJson::array();
   for (const IdleParameter& one : idle)
     list.push_back({{"scene", scenes[one.scene].name},
                     {"camera", scenes[one.scene].camera},
@@ -174,8 +175,8 @@ std::string outcome_text(const SweepOutcome& outcome) {
                      count_of(outcome, Comparison::same), count_of(outcome, Comparison::cannot_tell));
 }
 
-Json outcome_json(const SweepOutcome& outcome) {
-  Json failures = Json::array(), verdicts = Json::object();
+OrderedJson outcome_json(const SweepOutcome& outcome) {
+  OrderedJson failures = OrderedJson::array(), verdicts = OrderedJson::object();
   for (const Comparison verdict :
        {Comparison::better, Comparison::worse, Comparison::same, Comparison::cannot_tell})
     verdicts[std::string(name_of(verdict))] = count_of(outcome, verdict);

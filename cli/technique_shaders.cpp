@@ -16,7 +16,7 @@
 namespace umbrameter {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 /// Each text once.
 std::vector<FinalShader> all_shaders(const TechniqueRun& run, const GlobalOptions& global, const Home& home) {
@@ -52,11 +52,11 @@ int show_shaders(const std::string& technique, const std::string& language_name,
   const Staging work(global.out.empty() ? std::filesystem::temp_directory_path()
                                         : std::filesystem::path(global.out));
   for (FinalShader& shader : shaders) shader.text = translate(shader, language, work.folder());
-  Json list = Json::array();
+  OrderedJson list = OrderedJson::array();
   std::string answer;
   for (size_t k = 0; k < shaders.size(); ++k) {
     const FinalShader& shader = shaders[k];
-    Json entry{{"pass", shader.pass}, {"stage", shader.stage}};
+    OrderedJson entry{{"pass", shader.pass}, {"stage", shader.stage}};
     if (global.out.empty()) {
       entry["text"] = shader.text;
       answer += fmt::format("// ---- pass {}, {} shader ----\n{}\n", shader.pass, shader.stage, shader.text);

@@ -13,7 +13,7 @@
 namespace umbrameter {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 std::vector<std::string> light_names(const std::vector<LightType>& lights) {
   std::vector<std::string> names;
@@ -21,14 +21,8 @@ std::vector<std::string> light_names(const std::vector<LightType>& lights) {
   return names;
 }
 
-std::string join(const std::vector<std::string>& texts) {
-  std::string text;
-  for (const std::string& item : texts) text += (text.empty() ? "" : " ") + item;
-  return text;
-}
-
-Json to_json(const Parameter& parameter) {
-  Json json = {{"name", parameter.name}, {"type", to_text(parameter.type)}};
+OrderedJson to_json(const Parameter& parameter) {
+  OrderedJson json = {{"name", parameter.name}, {"type", to_text(parameter.type)}};
   std::visit([&](const auto& value) { json["default"] = value; }, parameter.default_value);
   if (parameter.type == ParameterType::integer || parameter.type == ParameterType::real) {
     json["min"] = parameter.min;
@@ -46,10 +40,10 @@ Json to_json(const Parameter& parameter) {
   return json;
 }
 
-Json to_json(const Technique& technique) {
-  Json parameters = Json::array();
+OrderedJson to_json(const Technique& technique) {
+  OrderedJson parameters = OrderedJson::array();
   for (const Parameter& parameter : technique.parameters) parameters.push_back(to_json(parameter));
-  Json presets = Json::object();
+  OrderedJson presets = OrderedJson::object();
   for (const Preset& preset : technique.presets) presets[preset.name] = preset.doc;
   return {{"id", technique.id},
           {"title", technique.title},
@@ -63,12 +57,13 @@ Json to_json(const Technique& technique) {
           {"presets", presets}};
 }
 
-int list(const GlobalOptions& global) {
-  Json techniques = Json::array();
+int list_techniques(const GlobalOptions& global) {
+  OrderedJson techniques = OrderedJson::array();
   std::vector<std::vector<std::string>> rows;
   for (const Technique& technique : list_techniques(find_home().techniques)) {
     techniques.push_back(to_json(technique));
-    rows.push_back({technique.id, join(light_names(technique.lights)), technique.title});
+    rows.push_back(
+        {technique.id, fmt::format("{}", fmt::join(light_names(technique.lights), " ")), technique.title});
   }
   if (global.json) {
     print_json({{"techniques", techniques}});
@@ -83,7 +78,7 @@ std::string range_text(const Parameter& parameter) {
     case ParameterType::boolean:
       return "true, false";
     case ParameterType::choice:
-      return join(parameter.choices);
+      return fmt::format("{}", fmt::join(parameter.choices, " "));
     case ParameterType::integer:
     case ParameterType::real:
       break;
@@ -99,7 +94,7 @@ std::string documentation_of(const Parameter& parameter) {
 
 std::string describe_technique(const Technique& technique) {
   std::string text = fmt::format("{}: {}\n{}\nlights: {}\n", technique.id, technique.title, technique.summary,
-                                 join(light_names(technique.lights)));
+                                 fmt::join(light_names(technique.lights), " "));
   for (const std::string& reference : technique.references) text += "reference: " + reference + "\n";
   for (const std::string& failure : technique.known_failures) text += "fails: " + failure + "\n";
   std::vector<std::vector<std::string>> rows;
@@ -138,7 +133,7 @@ std::map<LightType, SceneJob> scenes_by_light(const SceneSearch& search) {
 namespace {
 
 /// Loads the manifest, then compiles and runs the shaders once for every light type that it supports.
-int check(const std::string& path, const GlobalOptions& global) {
+int check_technique(const std::string& path, const GlobalOptions& global) {
   const Home home = find_home();
   const TechniqueRun run = choose_technique(path, {}, home);
   const auto renderer = open_realtime_renderer(global, home);
@@ -156,7 +151,8 @@ int check(const std::string& path, const GlobalOptions& global) {
   if (global.json) {
     print_json({{"id", run.id}, {"hash", run.hash}, {"ran_with_lights", ran}});
   } else {
-    print_answer(fmt::format("{}: fine; ran with lights: {}\n", run.id, ran.empty() ? "none" : join(ran)));
+    print_answer(fmt::format("{}: fine; ran with lights: {}\n", run.id,
+                             ran.empty() ? "none" : fmt::format("{}", fmt::join(ran, " "))));
   }
   return kExitFine;
 }
@@ -169,11 +165,11 @@ void add_techniques(CLI::App& app, CommandLine& line) {
   verb->fallthrough();
   verb->require_subcommand(0, 1);
   verb->callback([&line, verb] {
-    if (verb->get_subcommands().empty()) line.verb = [&line] { return list(line.global); };
+    if (verb->get_subcommands().empty()) line.verb = [&line] { return list_techniques(line.global); };
   });
   CLI::App* list_verb = verb->add_subcommand("list", "the built-in techniques");
   list_verb->fallthrough();
-  list_verb->callback([&line] { line.verb = [&line] { return list(line.global); }; });
+  list_verb->callback([&line] { line.verb = [&line] { return list_techniques(line.global); }; });
   CLI::App* show_verb = verb->add_subcommand("show", "one technique with its parameters and presets");
   show_verb->fallthrough();
   show_verb->add_option("technique", *name, "id or folder")->required();
@@ -195,7 +191,8 @@ void add_techniques(CLI::App& app, CommandLine& line) {
   CLI::App* check_verb = verb->add_subcommand("check", "load a technique, compile and run its shaders");
   check_verb->fallthrough();
   check_verb->add_option("technique", *name, "id or folder")->required();
-  check_verb->callback([name, &line] { line.verb = [name, &line] { return check(*name, line.global); }; });
+  check_verb->callback(
+      [name, &line] { line.verb = [name, &line] { return check_technique(*name, line.global); }; });
   CLI::App* glsl_verb = verb->add_subcommand("glsl", "the shaders of a technique as the driver gets them");
   glsl_verb->fallthrough();
   glsl_verb->add_option("technique", *name, "ID[:name=value,...]; ID may be a folder")->required();

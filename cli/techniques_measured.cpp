@@ -19,7 +19,7 @@
 namespace umbrameter {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 constexpr int kReferenceSamples = 1024;
 
@@ -66,15 +66,15 @@ std::string traits_text(const std::vector<TechniqueTraits>& all) {
   return text;
 }
 
-Json to_json(const std::vector<TechniqueTraits>& all) {
-  Json techniques = Json::array();
+OrderedJson to_json(const std::vector<TechniqueTraits>& all) {
+  OrderedJson techniques = OrderedJson::array();
   for (const TechniqueTraits& traits : all) {
-    Json json = {{"id", traits.id}};
+    OrderedJson json = {{"id", traits.id}};
     for (size_t k = 0; k < kTraits; ++k) {
       const TraitResult& result = traits.results[k];
-      Json& entry = json[std::string(name_of(static_cast<Trait>(k)))];
-      entry["value"] = result.value ? Json(*result.value) : Json();
-      entry["verdict"] = result.verdict ? Json(symbol_of(*result.verdict)) : Json();
+      OrderedJson& entry = json[std::string(name_of(static_cast<Trait>(k)))];
+      entry["value"] = result.value ? OrderedJson(*result.value) : OrderedJson();
+      entry["verdict"] = result.verdict ? OrderedJson(symbol_of(*result.verdict)) : OrderedJson();
     }
     json["paper_e"] = claim_text(traits.id);
     json["failure"] = traits.failure;

@@ -68,12 +68,6 @@ void make_unique(std::string& name, const std::vector<SceneSource>& taken) {
   for (int number = 2; is_taken(name); ++number) name = fmt::format("{}-{}", stem, number);
 }
 
-std::string join(const std::vector<std::string>& texts) {
-  std::string text;
-  for (const std::string& item : texts) text += (text.empty() ? "" : ", ") + item;
-  return text;
-}
-
 /// The library's scenes, less those whose assets are not there.
 std::vector<std::string> library_scenes(const SceneSearch& search, std::vector<Skip>& skipped) {
   std::vector<std::string> names;
@@ -84,7 +78,7 @@ std::vector<std::string> library_scenes(const SceneSearch& search, std::vector<S
     }
     skipped.push_back({entry.name, "",
                        fmt::format("assets not found: {} (give --assets or UMBRAMETER_ASSETS)",
-                                   join(entry.missing_assets))});
+                                   fmt::join(entry.missing_assets, ", "))});
     print_warning(fmt::format("skipped {}: {}", entry.name, skipped.back().reason));
   }
   return names;
@@ -150,16 +144,6 @@ ValidationPlan make_plan(const Quality& quality, std::vector<TechniqueRun> techn
   plan.causes = choose_causes(options.causes);
   plan.skip = !options.no_skip;
   return plan;
-}
-
-/// Only a folder that an earlier validation made may be replaced.
-void check_output(const std::filesystem::path& out) {
-  if (std::filesystem::exists(out) && !std::filesystem::is_directory(out)) {
-    fail_input(fmt::format("the output '{}' is not a folder", out.string()));
-  }
-  if (!std::filesystem::exists(out / "images") || std::filesystem::exists(out / "results.json")) return;
-  fail_input(fmt::format("'{}' exists and is not of an earlier validation", (out / "images").string()), {},
-             "choose another --out");
 }
 
 /// Each in its place, the folders instead of the old ones.
@@ -234,7 +218,7 @@ int validate(const ValidateOptions& options, const GlobalOptions& global) {
       make_plan(quality, choose_techniques(options.techniques, options.presets, home), options);
   plan.temporal_frames = options.temporal ? kTemporalFrames : 0;
   const std::filesystem::path out = global.out.empty() ? "out" : global.out;
-  check_output(out);
+  check_results_folder(out);
   const Staging staging(out);
   LateStore store(out);
   LateRealtime realtime(store, global, home, !options.no_skip);

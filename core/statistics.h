@@ -29,6 +29,9 @@ std::optional<double> median_if_any(std::vector<T> values) {
   return values.empty() ? std::nullopt : std::optional<double>(median(std::move(values)));
 }
 
+/// A normal distribution's sigma, for a median of |x| of 1.
+inline constexpr double kSigmaPerMedian = 1.4826;
+
 /// The root with its sign, for squares from which noise was taken and which may be below 0.
 inline double signed_root(double value) {
   return std::copysign(std::sqrt(std::abs(value)), value);

@@ -16,13 +16,12 @@ namespace umbrameter {
 
 namespace {
 
-constexpr size_t kBins = kFootprintBinsPx.size();
-constexpr int kTilePx = 64;
+constexpr size_t kFootprintBins = kFootprintBinsPx.size();
+constexpr int kCauseTilePx = 64;
 constexpr int kTrendPx = 40;  // neighbours along the contour: five cells of profiles to either side
 constexpr size_t kFewestNeighbours = 4;
 constexpr double kStairPx = 2.0;  // smaller texels' stairs drown in the pixels' own
 constexpr size_t kFewestRampPx = 8;
-constexpr double kSigmaPerMedian = 1.4826;              // of a normal distribution's |x|
 const double kSigmaPerResidual = std::sqrt(9.0 / 8.0);  // the mean of nine holds a ninth of the pixel itself
 
 struct Pair {
@@ -33,19 +32,19 @@ struct Pair {
 };
 
 struct FootprintSums {
-  std::array<size_t, kBins + 1> pixels{};  // the last one: unknown
-  std::array<double, kBins + 1> errors{};
+  std::array<size_t, kFootprintBins + 1> pixels{};  // the last one: unknown
+  std::array<double, kFootprintBins + 1> errors{};
 };
 
 size_t bin_of(double footprint) {
-  if (!(footprint > 0.0)) return kBins;
+  if (!(footprint > 0.0)) return kFootprintBins;
   const auto above = std::upper_bound(kFootprintBinsPx.begin(), kFootprintBinsPx.end(), footprint);
   return static_cast<size_t>(above - kFootprintBinsPx.begin()) - 1;
 }
 
 void add_footprints(const Pair& pair, ErrorCauses& out) {
   const std::vector<float> footprints = footprints_px(pair.texels, pair.surface, pair.mask);
-  const TileGrid grid = {pair.surface.width, pair.surface.height, kTilePx};
+  const TileGrid grid = {pair.surface.width, pair.surface.height, kCauseTilePx};
   const auto tiles = for_each_tile<FootprintSums>(grid, [&](const Tile& tile, FootprintSums& sums) {
     for_each_pixel(grid, tile, [&](size_t i) {
       if (pair.mask[i] == 0) return;
@@ -56,7 +55,7 @@ void add_footprints(const Pair& pair, ErrorCauses& out) {
   });
   FootprintSums total;
   for (const FootprintSums& tile : tiles) {
-    for (size_t k = 0; k <= kBins; ++k) {
+    for (size_t k = 0; k <= kFootprintBins; ++k) {
       total.pixels[k] += tile.pixels[k];
       total.errors[k] += tile.errors[k];
     }
@@ -64,8 +63,8 @@ void add_footprints(const Pair& pair, ErrorCauses& out) {
   for (const size_t pixels : total.pixels) out.scored_pixels += pixels;
   if (out.scored_pixels == 0) return;
   out.mean_abs_error = 0.0;
-  for (size_t k = 0; k <= kBins; ++k) {
-    FootprintBin& bin = k < kBins ? out.by_footprint[k] : out.unknown;
+  for (size_t k = 0; k <= kFootprintBins; ++k) {
+    FootprintBin& bin = k < kFootprintBins ? out.by_footprint[k] : out.unknown;
     bin = {total.pixels[k], total.errors[k] / static_cast<double>(out.scored_pixels)};
     *out.mean_abs_error += bin.mean_abs_error;
   }
@@ -153,7 +152,7 @@ void add_residual(const Pair& pair, size_t i, Residuals& out) {
 }
 
 void add_noise(const Pair& pair, ErrorCauses& out) {
-  const TileGrid grid = {pair.surface.width, pair.surface.height, kTilePx};
+  const TileGrid grid = {pair.surface.width, pair.surface.height, kCauseTilePx};
   const auto tiles = for_each_tile<Residuals>(grid, [&](Tile tile, Residuals& residuals) {
     tile = {std::max(tile.x0, 1), std::max(tile.y0, 1), std::min(tile.x1, grid.width - 1),
             std::min(tile.y1, grid.height - 1)};

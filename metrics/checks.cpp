@@ -10,7 +10,7 @@ namespace umbrameter {
 
 namespace {
 
-constexpr size_t kNone = std::numeric_limits<size_t>::max();
+constexpr size_t kNoColumn = std::numeric_limits<size_t>::max();
 
 int is_bad(uint8_t mask, float value, float low, float high) {
   return static_cast<int>(mask != 0) &
@@ -29,7 +29,7 @@ void require_range(const Image& image, std::string_view channel, std::span<const
                    float high) {
   const std::span<const float> values = image.plane(channel);
   const size_t width = static_cast<size_t>(image.width);
-  std::vector<size_t> first_bad(static_cast<size_t>(image.height), kNone);
+  std::vector<size_t> first_bad(static_cast<size_t>(image.height), kNoColumn);
   for_each_row(image.height, [&](int y) {
     const size_t begin = static_cast<size_t>(y) * width;
     // Without a branch a pixel, so that it vectorises; the search is for the rare row that needs it.
@@ -41,7 +41,7 @@ void require_range(const Image& image, std::string_view channel, std::span<const
     first_bad[static_cast<size_t>(y)] = i;
   });
   for (const size_t i : first_bad) {
-    if (i == kNone) continue;
+    if (i == kNoColumn) continue;
     fail_input(fmt::format("channel '{}' is {} at pixel ({}, {}), outside [{}, {}]", channel, values[i],
                            i % width, i / width, low, high));
   }

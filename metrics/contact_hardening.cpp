@@ -17,9 +17,8 @@ constexpr size_t kFewest = 8;
 constexpr size_t kMost = 512;
 constexpr double kFewestOctaves = 1.0;
 constexpr double kEnoughOctaves = 2.0;
-constexpr double kLargestMargin = 0.25;     // of a slope over fewer octaves than enough
-constexpr double kSigmaPerMedian = 1.4826;  // of a normal distribution's |x|
-constexpr double kWildSigmas = 3.0;         // a residual counts no further
+constexpr double kLargestMargin = 0.25;  // of a slope over fewer octaves than enough
+constexpr double kWildSigmas = 3.0;      // a residual counts no further
 constexpr double kPairOctaves = 0.5;
 constexpr int kPlacePx = 64;
 

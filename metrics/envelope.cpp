@@ -16,9 +16,9 @@ namespace umbrameter {
 
 namespace {
 
-constexpr float kPlateau = 0.01f;  // from full light or full shadow
+constexpr float kPlateauMargin = 0.01f;  // from full light or full shadow
 
-struct Field {
+struct BoundedField {
   std::span<const float> v, r, se;
   std::span<const uint8_t> mask;
   SurfaceView surface;
@@ -62,8 +62,8 @@ std::vector<int32_t> nearest_profiles(std::span<const PenumbraProfile> profiles,
   return nearest;
 }
 
-std::pair<Candidates, Candidates> find_candidates(const Field& field, const TileGrid& grid, const Tile& tile,
-                                                  Envelope& out, TileResult& result) {
+std::pair<Candidates, Candidates> find_candidates(const BoundedField& field, const TileGrid& grid,
+                                                  const Tile& tile, Envelope& out, TileResult& result) {
   Candidates dark{1.0f, {}, 0.0}, bright{-1.0f, {}, 0.0};
   for (int y = tile.y0; y < tile.y1; ++y) {
     const size_t row = static_cast<size_t>(y) * static_cast<size_t>(grid.width);
@@ -83,7 +83,7 @@ std::pair<Candidates, Candidates> find_candidates(const Field& field, const Tile
 }
 
 // With sign s the residual is max(0, min(s R) - s V - tolerance) for both directions.
-void measure_side(const Field& field, const TileGrid& grid, const Tile& tile, const Candidates& side,
+void measure_side(const BoundedField& field, const TileGrid& grid, const Tile& tile, const Candidates& side,
                   Envelope& out, std::vector<float>& residual, TileSum& sum, size_t& pixels) {
   if (side.pixels.empty()) return;
   const DiscMinimum discs(field.r, field.mask, grid, tile, side.max_radius_px, side.sign);
@@ -94,7 +94,7 @@ void measure_side(const Field& field, const TileGrid& grid, const Tile& tile, co
     const int y = static_cast<int>(i / static_cast<size_t>(grid.width));
     const double radius_px = field.radius_px(out, i);
     float least = discs.minimum(x, y, radius_px, excused);
-    const bool is_outskirt = least <= excused && outskirts.on_plateau(i, kPlateau);
+    const bool is_outskirt = least <= excused && outskirts.on_plateau(i, kPlateauMargin);
     if (is_outskirt && stands_alone(outskirts, i, radius_px, out.tolerance[i]))
       least = side.sign * field.r[i];
     if (least <= excused) continue;
@@ -129,13 +129,13 @@ Envelope measure_envelope(const Image& test, const Image& reference, std::span<c
     fail_input(fmt::format("radius_per_width is {}", settings.radius_per_width), {}, "between 0 and 1");
   }
 
-  const Field field = {test.plane("visibility"),
-                       reference.plane("visibility"),
-                       reference.plane("visibility_se"),
-                       mask,
-                       checked_surface(reference),
-                       profiles,
-                       settings};
+  const BoundedField field = {test.plane("visibility"),
+                              reference.plane("visibility"),
+                              reference.plane("visibility_se"),
+                              mask,
+                              checked_surface(reference),
+                              profiles,
+                              settings};
   Envelope out;
   out.width = test.width;
   out.height = test.height;

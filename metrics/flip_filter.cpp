@@ -17,9 +17,9 @@ struct Sensitivity {
   double a, b;
   double sigma_deg() const { return std::sqrt(b / (2.0 * kPi * kPi)); }
 };
-constexpr Sensitivity kLuminance = {1.0, 0.0047};
-constexpr Sensitivity kRedGreen = {1.0, 0.0053};
-constexpr std::array<Sensitivity, 2> kBlueYellow = {{{34.1, 0.04}, {13.5, 0.025}}};
+constexpr Sensitivity kLuminanceSensitivity = {1.0, 0.0047};
+constexpr Sensitivity kRedGreenSensitivity = {1.0, 0.0053};
+constexpr std::array<Sensitivity, 2> kBlueYellowSensitivity = {{{34.1, 0.04}, {13.5, 0.025}}};
 constexpr double kFeatureWidth_deg = 0.082;
 
 double gaussian(int k, double sigma_px) {
@@ -51,8 +51,8 @@ HalfKernel seen_through(const Sensitivity& sensitivity, double ppd, int radius, 
 std::array<double, 2> blue_yellow_shares(double ppd, int radius) {
   std::array<double, 2> shares{};
   for (size_t n = 0; n < 2; ++n) {
-    const double row = mass(kBlueYellow[n].sigma_deg() * ppd, radius);
-    shares[n] = kBlueYellow[n].a * std::sqrt(kPi / kBlueYellow[n].b) * row * row;
+    const double row = mass(kBlueYellowSensitivity[n].sigma_deg() * ppd, radius);
+    shares[n] = kBlueYellowSensitivity[n].a * std::sqrt(kPi / kBlueYellowSensitivity[n].b) * row * row;
   }
   const double total = shares[0] + shares[1];
   return {shares[0] / total, shares[1] / total};
@@ -117,14 +117,14 @@ using Narrow = Output<Parity, kFilterBlock / 2>;
 }  // namespace
 
 ObserverKernels observer_kernels(double ppd) {
-  const int radius = static_cast<int>(std::ceil(3.0 * kBlueYellow[0].sigma_deg() * ppd));
+  const int radius = static_cast<int>(std::ceil(3.0 * kBlueYellowSensitivity[0].sigma_deg() * ppd));
   const std::array<double, 2> shares = blue_yellow_shares(ppd, radius);
   ObserverKernels out;
-  out.luminance = seen_through(kLuminance, ppd, radius, 1.0);
-  out.red_green = seen_through(kRedGreen, ppd, radius, 1.0);
+  out.luminance = seen_through(kLuminanceSensitivity, ppd, radius, 1.0);
+  out.red_green = seen_through(kRedGreenSensitivity, ppd, radius, 1.0);
   for (size_t n = 0; n < 2; ++n) {
-    out.blue_yellow_rows[n] = seen_through(kBlueYellow[n], ppd, radius, 1.0);
-    out.blue_yellow_columns[n] = seen_through(kBlueYellow[n], ppd, radius, shares[n]);
+    out.blue_yellow_rows[n] = seen_through(kBlueYellowSensitivity[n], ppd, radius, 1.0);
+    out.blue_yellow_columns[n] = seen_through(kBlueYellowSensitivity[n], ppd, radius, shares[n]);
   }
   const double sigma_px = 0.5 * kFeatureWidth_deg * ppd;
   const int feature_radius = static_cast<int>(std::ceil(3.0 * sigma_px));

@@ -2,18 +2,12 @@
 #include "metrics/lit_error.h"
 
 #include "core/error.h"
+#include "core/statistics.h"
 #include "metrics/checks.h"
 
 #include <cmath>
 
 namespace umbrameter {
-namespace {
-
-double signed_sqrt(double value) {
-  return std::copysign(std::sqrt(std::abs(value)), value);
-}
-
-}  // namespace
 
 std::optional<double> measure_lit_error(const Image& test, const Image& reference,
                                         std::span<const uint8_t> mask) {
@@ -29,7 +23,7 @@ std::optional<double> measure_lit_error(const Image& test, const Image& referenc
     light += weight;
   }
   if (!(light > 0.0)) return std::nullopt;
-  return signed_sqrt(squares / light);
+  return signed_root(squares / light);
 }
 
 std::optional<ModelGap> measure_model_gap(const Image& reference, std::span<const uint8_t> mask) {
@@ -47,7 +41,7 @@ std::optional<ModelGap> measure_model_gap(const Image& reference, std::span<cons
     lit_squares += weight * product, light += weight;
   }
   if (!(light > 0.0)) return std::nullopt;
-  return ModelGap{signed_sqrt(squares / pixels), signed_sqrt(lit_squares / light)};
+  return ModelGap{signed_root(squares / pixels), signed_root(lit_squares / light)};
 }
 
 }  // namespace umbrameter

@@ -17,7 +17,7 @@ namespace umbrameter {
 namespace {
 
 constexpr int kSide = 32;                // of a tile
-constexpr int kHalf = kSide / 2;         // Nyquist
+constexpr int kHalfSide = kSide / 2;     // Nyquist
 constexpr int kLowest = 3;               // cycles a tile; below, the window's own shape dominates
 constexpr double kLargestTexelPx = 8.0;  // four cycles a tile
 constexpr size_t kFewestAcnePixels = kSide * kSide / 16;
@@ -77,18 +77,18 @@ Field windowed_error(const Input& input, const Tile& tile) {
   return field;
 }
 
-// power[ky][kx + kHalf], ky from 0: a real field's other half is the same.
-using Spectrum = std::array<std::array<double, kSide>, kHalf + 1>;
+// power[ky][kx + kHalfSide], ky from 0: a real field's other half is the same.
+using Spectrum = std::array<std::array<double, kSide>, kHalfSide + 1>;
 
 Spectrum power_of(const Field& field) {
   std::array<std::array<std::complex<double>, kSide>, kSide> rows{};
   for (int y = 0; y < kSide; ++y) {
     for (int k = 0; k < kSide; ++k) {
-      for (int x = 0; x < kSide; ++x) rows[y][k] += field[y][x] * turn((k - kHalf) * x);
+      for (int x = 0; x < kSide; ++x) rows[y][k] += field[y][x] * turn((k - kHalfSide) * x);
     }
   }
   Spectrum power{};
-  for (int ky = 0; ky <= kHalf; ++ky) {
+  for (int ky = 0; ky <= kHalfSide; ++ky) {
     for (int k = 0; k < kSide; ++k) {
       std::complex<double> sum = 0.0;
       for (int y = 0; y < kSide; ++y) sum += rows[y][k] * turn(ky * y);
@@ -102,9 +102,9 @@ Spectrum power_of(const Field& field) {
 std::optional<Frequency> peak_of(const Spectrum& power) {
   int peak_x = 0, peak_y = 0;
   double highest = 0.0, sum = 0.0, bins = 0.0;
-  for (int ky = 0; ky <= kHalf; ++ky) {
+  for (int ky = 0; ky <= kHalfSide; ++ky) {
     for (int k = 0; k < kSide; ++k) {
-      const int kx = k - kHalf;
+      const int kx = k - kHalfSide;
       if (kx * kx + ky * ky < kLowest * kLowest) continue;
       sum += power[ky][k];
       bins += 1.0;
@@ -116,11 +116,11 @@ std::optional<Frequency> peak_of(const Spectrum& power) {
   }
   if (!(highest > kPeak * sum / bins)) return std::nullopt;
   double mass = 0.0, x = 0.0, y = 0.0;
-  for (int ky = std::max(0, peak_y - 1); ky <= std::min(kHalf, peak_y + 1); ++ky) {
+  for (int ky = std::max(0, peak_y - 1); ky <= std::min(kHalfSide, peak_y + 1); ++ky) {
     for (int k = std::max(0, peak_x - 1); k <= std::min(kSide - 1, peak_x + 1); ++k) {
-      if ((k - kHalf) * (k - kHalf) + ky * ky < kLowest * kLowest) continue;
+      if ((k - kHalfSide) * (k - kHalfSide) + ky * ky < kLowest * kLowest) continue;
       mass += power[ky][k];
-      x += power[ky][k] * (k - kHalf);
+      x += power[ky][k] * (k - kHalfSide);
       y += power[ky][k] * ky;
     }
   }

@@ -10,7 +10,7 @@ namespace umbrameter {
 
 namespace {
 
-constexpr int32_t kNone = -1;
+constexpr int32_t kNoFeature = -1;
 
 // Row of the nearest feature in the same column, for every pixel of columns x0 <= x < x1; rows are walked as
 // a whole so that memory is read in order.
@@ -24,14 +24,14 @@ void nearest_in_columns(std::span<const uint8_t> is_feature, int width, int heig
       if (is_feature[at(x, y)] != 0) {
         row_of[at(x, y)] = y;
       } else {
-        row_of[at(x, y)] = y > 0 ? row_of[at(x, y - 1)] : kNone;
+        row_of[at(x, y)] = y > 0 ? row_of[at(x, y - 1)] : kNoFeature;
       }
     }
   }
   for (int y = height - 2; y >= 0; --y) {
     for (int x = x0; x < x1; ++x) {
       const int32_t above = row_of[at(x, y)], below = row_of[at(x, y + 1)];
-      if (below != kNone && (above == kNone || below - y < y - above)) row_of[at(x, y)] = below;
+      if (below != kNoFeature && (above == kNoFeature || below - y < y - above)) row_of[at(x, y)] = below;
     }
   }
 }
@@ -59,7 +59,7 @@ void nearest_in_row(int width, int y, std::span<const int32_t> row_of, std::vect
   envelope.clear();
   for (int x = 0; x < width; ++x) {
     const int32_t row = row_of[static_cast<size_t>(x)];
-    if (row == kNone) continue;
+    if (row == kNoFeature) continue;
     Parabola next = {x, row, int64_t{row - y} * (row - y), 0};
     while (!envelope.empty()) {
       next.begin = std::max(int64_t{0}, takes_over(envelope.back(), next));
@@ -72,7 +72,7 @@ void nearest_in_row(int width, int y, std::span<const int32_t> row_of, std::vect
   size_t k = 0;
   for (int x = 0; x < width; ++x) {
     if (envelope.empty()) {
-      nearest[static_cast<size_t>(x)] = kNone;
+      nearest[static_cast<size_t>(x)] = kNoFeature;
       continue;
     }
     while (k + 1 < envelope.size() && envelope[k + 1].begin <= x) ++k;
@@ -86,7 +86,7 @@ std::vector<int32_t> nearest_feature(std::span<const uint8_t> is_feature, int wi
   const size_t columns = static_cast<size_t>(width);
   UMBRAMETER_ASSERT(is_feature.size() == columns * static_cast<size_t>(height), "{} pixels",
                     is_feature.size());
-  std::vector<int32_t> row_of(is_feature.size(), kNone), nearest(is_feature.size(), kNone);
+  std::vector<int32_t> row_of(is_feature.size(), kNoFeature), nearest(is_feature.size(), kNoFeature);
   constexpr int kColumnsAtOnce = 64;
   for_each_row((width + kColumnsAtOnce - 1) / kColumnsAtOnce, [&](int block) {
     const int x0 = block * kColumnsAtOnce;

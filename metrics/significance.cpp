@@ -16,15 +16,15 @@ namespace {
 // abs(z) is counted in bins of 1/256 up to 16 (p = 1e-57) and beyond: Benjamini and Hochberg's step-up over the
 // bins' lower edges needs no sorting and errs by at most a bin, towards calling fewer pixels wrong.
 constexpr int kBinsPerUnit = 256;
-constexpr size_t kBins = 16 * kBinsPerUnit + 1;
-using Histogram = std::array<uint32_t, kBins>;
+constexpr size_t kHistogramBins = 16 * kBinsPerUnit + 1;
+using Histogram = std::array<uint32_t, kHistogramBins>;
 
 double two_sided_p(double z) {
   return std::erfc(z / std::sqrt(2.0));
 }
 
 size_t bin_of(float z) {
-  return static_cast<size_t>(std::min(std::abs(z) * kBinsPerUnit, static_cast<float>(kBins - 1)));
+  return static_cast<size_t>(std::min(std::abs(z) * kBinsPerUnit, static_cast<float>(kHistogramBins - 1)));
 }
 
 double lower_edge(size_t bin) {
@@ -59,7 +59,7 @@ void require_inputs(const Image& test, const Image& reference, std::span<const u
 std::optional<size_t> threshold_bin(const Histogram& histogram, size_t tested, double rate) {
   std::optional<size_t> threshold;
   size_t from_here_on = 0;
-  for (size_t bin = kBins; bin-- > 0;) {
+  for (size_t bin = kHistogramBins; bin-- > 0;) {
     from_here_on += histogram[bin];
     const double false_ones = static_cast<double>(tested) * two_sided_p(lower_edge(bin));
     if (from_here_on > 0 && false_ones <= rate * static_cast<double>(from_here_on)) threshold = bin;

@@ -9,20 +9,20 @@ namespace umbrameter {
 namespace {
 
 // More than grain of 64 taps and less than acne that anyone would see.
-constexpr float kRise = 0.1f;
+constexpr float kLoneRise = 0.1f;
 
 struct Direction {
   double x, y;
 };
-constexpr double kHalf = 0.70710678, kLong = 0.92387953, kShort = 0.38268343;
+constexpr double kSqrtHalf = 0.70710678, kLong = 0.92387953, kShort = 0.38268343;
 constexpr std::array<Direction, 16> kDirections = {{{1, 0},
                                                     {0, 1},
                                                     {-1, 0},
                                                     {0, -1},
-                                                    {kHalf, kHalf},
-                                                    {-kHalf, kHalf},
-                                                    {-kHalf, -kHalf},
-                                                    {kHalf, -kHalf},
+                                                    {kSqrtHalf, kSqrtHalf},
+                                                    {-kSqrtHalf, kSqrtHalf},
+                                                    {-kSqrtHalf, -kSqrtHalf},
+                                                    {kSqrtHalf, -kSqrtHalf},
                                                     {kLong, kShort},
                                                     {kShort, kLong},
                                                     {-kShort, kLong},
@@ -47,7 +47,7 @@ bool leads_to_shade(const Outskirts& field, size_t i, const Direction& direction
     const size_t to = static_cast<size_t>(to_y) * static_cast<size_t>(width) + static_cast<size_t>(to_x);
     if (field.mask[to] == 0 || (field.sign > 0.0f && !same_surface(field.surface, from, to))) return false;
     if (field.sign * field.r[to] <= own + tolerance) return true;
-    if (field.sign * field.v[to] > own + kRise) return false;
+    if (field.sign * field.v[to] > own + kLoneRise) return false;
     from = to;
   }
   return false;

@@ -19,12 +19,12 @@ struct PairSums {
   double noise_variance = 0.0;  // of difference.sum, from the reference's samples alone
 };
 
-struct Planes {
+struct PairPlanes {
   std::span<const float> candidate, baseline, r, a, b, se;
 };
 
 // (C - A)(C - B) - (D - A)(D - B) = (C - D)(C + D - A - B): the reference's noise enters only where the images differ.
-void add_pixel(const Planes& planes, size_t i, PairSums& sums) {
+void add_pixel(const PairPlanes& planes, size_t i, PairSums& sums) {
   const double c = planes.candidate[i], d = planes.baseline[i], a = planes.a[i], b = planes.b[i];
   sums.difference.sum += (c - d) * (c + d - a - b);
   sums.baseline.sum += (d - a) * (d - b);
@@ -33,8 +33,8 @@ void add_pixel(const Planes& planes, size_t i, PairSums& sums) {
   sums.noise_variance += noise * noise;
 }
 
-void require_inputs(const Image& candidate, const Image& baseline, const Image& reference,
-                    std::span<const uint8_t> mask) {
+void require_pair_inputs(const Image& candidate, const Image& baseline, const Image& reference,
+                         std::span<const uint8_t> mask) {
   require_same_size(candidate, reference, "verdict");
   require_same_size(baseline, reference, "verdict");
   require_mask_size(reference, mask, "verdict");
@@ -85,11 +85,11 @@ std::string_view name_of(LimitOutcome outcome) {
 std::optional<ComparisonVerdict> compare_runs(const Image& candidate, const Image& baseline,
                                               const Image& reference, std::span<const uint8_t> mask,
                                               const VerdictSettings& settings) {
-  require_inputs(candidate, baseline, reference, mask);
+  require_pair_inputs(candidate, baseline, reference, mask);
   if (settings.tile_px < 1) fail_input(fmt::format("tile_px is {}", settings.tile_px), {}, "at least 1");
-  const Planes planes = {candidate.plane("visibility"), baseline.plane("visibility"),
-                         reference.plane("visibility"), reference.plane("half_a"),
-                         reference.plane("half_b"),     reference.plane("visibility_se")};
+  const PairPlanes planes = {candidate.plane("visibility"), baseline.plane("visibility"),
+                             reference.plane("visibility"), reference.plane("half_a"),
+                             reference.plane("half_b"),     reference.plane("visibility_se")};
   const TileGrid grid = {reference.width, reference.height, settings.tile_px};
   const std::vector<PairSums> tiles = for_each_tile<PairSums>(grid, [&](const Tile& tile, PairSums& sums) {
     for (int y = tile.y0; y < tile.y1; ++y) {

@@ -2,6 +2,7 @@
 #include "metrics/visibility_error.h"
 
 #include "core/error.h"
+#include "core/statistics.h"
 #include "metrics/bootstrap.h"
 #include "metrics/checks.h"
 #include "metrics/tiles.h"
@@ -29,7 +30,7 @@ struct TileSums {
   bool in_range = true;
 };
 
-struct Planes {
+struct ErrorPlanes {
   std::span<const float> v, r, a, b, se;
 };
 
@@ -43,7 +44,7 @@ bool is_visibility(float value) {
   return value >= -kVisibilityRounding && value <= 1.0f + kVisibilityRounding;
 }
 
-void add_pixel(const Planes& planes, size_t i, double epsilon, TileSums& sums) {
+void add_pixel(const ErrorPlanes& planes, size_t i, double epsilon, TileSums& sums) {
   const float v = planes.v[i], r = planes.r[i], a = planes.a[i], b = planes.b[i], se = planes.se[i];
   const bool in_range = is_visibility(v) && is_visibility(r) && is_visibility(a) && is_visibility(b) &&
                         se >= 0.0f && std::isfinite(se);
@@ -65,7 +66,7 @@ void add_pixel(const Planes& planes, size_t i, double epsilon, TileSums& sums) {
   sums.max_error = std::max(sums.max_error, std::abs(error));
 }
 
-void require_inputs(const Image& test, const Image& reference, std::span<const uint8_t> mask) {
+void require_error_inputs(const Image& test, const Image& reference, std::span<const uint8_t> mask) {
   require_visibility(test, "visibility", mask);
   for (const char* channel : {"visibility", "half_a", "half_b"}) require_visibility(reference, channel, mask);
   require_range(reference, "visibility_se", mask, 0.0f, std::numeric_limits<float>::max());
@@ -100,10 +101,6 @@ RegionError region_error(const RegionSums& sums, double scored) {
   return {sums.pixels, pixels / scored, sums.product / pixels, sums.signed_error / pixels};
 }
 
-double signed_sqrt(double value) {
-  return std::copysign(std::sqrt(std::abs(value)), value);
-}
-
 // With a single tile nothing is known of the spread, so the interval is all that (V - A)(V - B) can be.
 Interval mse_interval(std::span<const TileSums> tiles, const VisibilityErrorSettings& settings) {
   std::vector<TileSum> sums(tiles.size());
@@ -133,8 +130,9 @@ VisibilityError measure_visibility_error(const Image& test, const Image& referen
   require_settings(settings);
   require_same_size(test, reference, "visibility error");
   require_mask_size(test, mask, "visibility error");
-  const Planes planes = {test.plane("visibility"), reference.plane("visibility"), reference.plane("half_a"),
-                         reference.plane("half_b"), reference.plane("visibility_se")};
+  const ErrorPlanes planes = {test.plane("visibility"), reference.plane("visibility"),
+                              reference.plane("half_a"), reference.plane("half_b"),
+                              reference.plane("visibility_se")};
 
   const TileGrid grid = {test.width, test.height, settings.tile_px};
   const std::vector<TileSums> tiles = for_each_tile<TileSums>(grid, [&](const Tile& tile, TileSums& sums) {
@@ -148,7 +146,7 @@ VisibilityError measure_visibility_error(const Image& test, const Image& referen
 
   TileSums total;
   for (const TileSums& tile : tiles) add(tile, total);
-  if (!total.in_range) require_inputs(test, reference, mask);
+  if (!total.in_range) require_error_inputs(test, reference, mask);
 
   VisibilityError out;
   for (const RegionSums& region : total.regions) out.scored_pixels += region.pixels;
@@ -156,7 +154,7 @@ VisibilityError measure_visibility_error(const Image& test, const Image& referen
 
   const double scored = static_cast<double>(out.scored_pixels);
   out.mse = mse_interval(tiles, settings);
-  out.rmse = {signed_sqrt(out.mse->value), signed_sqrt(out.mse->low), signed_sqrt(out.mse->high)};
+  out.rmse = {signed_root(out.mse->value), signed_root(out.mse->low), signed_root(out.mse->high)};
   out.over_shadowing = total.dark / scored;
   out.under_shadowing = total.bright / scored;
   out.mae = (total.dark + total.bright) / scored;

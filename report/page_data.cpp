@@ -13,10 +13,10 @@
 namespace umbrameter {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Json palette_json() {
-  Json faults = Json::array(), parity = Json::array();
+OrderedJson palette_json() {
+  OrderedJson faults = OrderedJson::array(), parity = OrderedJson::array();
   for (const FaultLegend& entry : fault_legend()) {
     faults.push_back({{"name", name_of(entry.fault)}, {"colour", entry.colour}, {"text", entry.text}});
   }
@@ -45,19 +45,20 @@ std::string script_safe(std::string json) {
 std::string page_data(const std::optional<Results>& given, const std::filesystem::path& folder,
                       const std::filesystem::path& beside, PlaneStore& store) {
   const Results results = given.value_or(Results());
-  Json scenes = Json::array();
+  OrderedJson scenes = OrderedJson::array();
   for (const SceneResult& scene : results.scenes) {
     scenes.push_back(add_scene_planes(scene, scenes.size(), folder, store));
   }
-  Json data{{"results", Json::parse(to_json_text(results))},
-            {"texts", given ? page_texts(results) : Json(nullptr)},
-            {"scenes", scenes},
-            {"bias_sweeps", read_bias_sweeps(beside)},
-            {"tunings", read_tunings(beside)},
-            {"palette", palette_json()},
-            {"data_folder", store.has_files() ? Json(store.folder_name()) : Json(nullptr)}};
+  OrderedJson data{
+      {"results", OrderedJson::parse(to_json_text(results))},
+      {"texts", given ? page_texts(results) : OrderedJson(nullptr)},
+      {"scenes", scenes},
+      {"bias_sweeps", read_bias_sweeps(beside)},
+      {"tunings", read_tunings(beside)},
+      {"palette", palette_json()},
+      {"data_folder", store.has_files() ? OrderedJson(store.folder_name()) : OrderedJson(nullptr)}};
   data.update(side_data(beside));
-  return script_safe(data.dump(-1, ' ', false, Json::error_handler_t::replace));
+  return script_safe(data.dump(-1, ' ', false, OrderedJson::error_handler_t::replace));
 }
 
 }  // namespace umbrameter

@@ -14,7 +14,7 @@
 namespace umbrameter {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 std::string devices(const Results& results) {
   std::set<std::string> names;
@@ -49,25 +49,25 @@ std::string pixel_steps() {
       1.0 / kTestVisibilityCode.step, 1.0 / kReferenceVisibilityCode.step);
 }
 
-Json scene_texts(const Results& results, const SceneResult& scene) {
+OrderedJson scene_texts(const Results& results, const SceneResult& scene) {
   const TermLines common{
       {"scene hash", scene.hash},
       {"seed", std::to_string(results.picture.seed)},
       {"resolution", fmt::format("{} x {} px", results.picture.width_px, results.picture.height_px)},
       {"version", fmt::format("umbrameter {} ({})", results.version, results.commit)}};
-  Json runs = Json::array();
+  OrderedJson runs = OrderedJson::array();
   for (const TechniqueResult& run : scene.techniques) runs.push_back(run_facts(run));
-  return {{"parity", scene.parity ? Json(format_parity(*scene.parity)) : Json(nullptr)},
+  return {{"parity", scene.parity ? OrderedJson(format_parity(*scene.parity)) : OrderedJson(nullptr)},
           {"common", common},
-          {"reference", scene.reference ? Json(reference_facts(scene)) : Json(nullptr)},
+          {"reference", scene.reference ? OrderedJson(reference_facts(scene)) : OrderedJson(nullptr)},
           {"rows", summary_rows(scene)},
           {"runs", runs}};
 }
 
 }  // namespace
 
-Json page_texts(const Results& results) {
-  Json scenes = Json::array(), skipped = Json::array();
+OrderedJson page_texts(const Results& results) {
+  OrderedJson scenes = OrderedJson::array(), skipped = OrderedJson::array();
   for (const SceneResult& scene : results.scenes) scenes.push_back(scene_texts(results, scene));
   for (const Skip& skip : results.skipped) {
     skipped.push_back(fmt::format("{}{}{}: {}", skip.scene, skip.technique.empty() ? "" : ", ",

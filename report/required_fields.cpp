@@ -9,9 +9,9 @@
 namespace umbrameter {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-bool is_of(const Json& value, std::string_view type) {
+bool is_of(const OrderedJson& value, std::string_view type) {
   if (type == "number") return value.is_number();
   if (type == "text") return value.is_string();
   if (type == "flag") return value.is_boolean();
@@ -28,9 +28,11 @@ std::string_view take_until(std::string_view& text, char mark) {
   return front;
 }
 
-void require_field(const Json& value, std::string_view path, std::string_view type, std::string_view field) {
+void require_field(const OrderedJson& value, std::string_view path, std::string_view type,
+                   std::string_view field) {
   if (path.empty()) {
-    if (!is_of(value, type)) throw Json::other_error::create(501, fmt::format("'{}' is none", field), &value);
+    if (!is_of(value, type))
+      throw OrderedJson::other_error::create(501, fmt::format("'{}' is none", field), &value);
     return;
   }
   std::string_view name = take_until(path, '.');
@@ -38,16 +40,17 @@ void require_field(const Json& value, std::string_view path, std::string_view ty
   if (may_be_null) name.remove_suffix(1);
   const bool is_list = name.ends_with("[]");
   if (is_list) name.remove_suffix(2);
-  const Json& found = value.at(std::string(name));
+  const OrderedJson& found = value.at(std::string(name));
   if (may_be_null && found.is_null()) return;
   if (!is_list) return require_field(found, path, type, field);
-  if (!found.is_array()) throw Json::other_error::create(501, fmt::format("'{}' is no list", name), &found);
-  for (const Json& item : found) require_field(item, path, type, field);
+  if (!found.is_array())
+    throw OrderedJson::other_error::create(501, fmt::format("'{}' is no list", name), &found);
+  for (const OrderedJson& item : found) require_field(item, path, type, field);
 }
 
 }  // namespace
 
-void require_fields(const Json& document, std::span<const std::string_view> fields) {
+void require_fields(const OrderedJson& document, std::span<const std::string_view> fields) {
   for (const std::string_view field : fields) {
     std::string_view type = field;
     const std::string_view path = take_until(type, ':');

@@ -14,7 +14,7 @@
 namespace umbrameter {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 constexpr int kSmallWidth_px = 240;      // of the pictures at the head of the page, at least
 constexpr double kSmallSteps = 255.0;    // in which their planes are kept
@@ -23,7 +23,7 @@ constexpr size_t kMostWidthPairs = 256;  // of a run; a plot of more is a blot
 /// Planes on their way into the store, with how to read them.
 struct Parcel {
   PackedPlanes planes;
-  Json codes = Json::object();
+  OrderedJson codes = OrderedJson::object();
 
   void add(const std::string& name, std::span<const float> values, const PlaneCode& code) {
     planes[name] = pack_plane(values, code);
@@ -99,7 +99,7 @@ std::vector<float> block_means(std::span<const float> plane, std::span<const uin
 }
 
 /// What a small lit picture is painted from, inside the page's data, so that it is there before the pixels are read.
-Json small_picture(const Image& reference) {
+OrderedJson small_picture(const Image& reference) {
   const int side = std::max(1, reference.width / kSmallWidth_px);
   const std::vector<uint8_t> hit = hit_pixels(reference), all(hit.size(), 1);
   const std::vector<float> solid(hit.begin(), hit.end());
@@ -123,8 +123,8 @@ Json small_picture(const Image& reference) {
 }
 
 /// Evenly picked from those sorted by width.
-Json widths_json(const std::vector<WidthPair>& pairs) {
-  Json list = Json::array();
+OrderedJson widths_json(const std::vector<WidthPair>& pairs) {
+  OrderedJson list = OrderedJson::array();
   const size_t count = std::min(pairs.size(), kMostWidthPairs);
   const auto rounded = [](double width) { return std::stod(fmt::format("{:.4g}", width)); };
   for (size_t k = 0; k < count; ++k) {
@@ -144,8 +144,8 @@ std::optional<std::vector<uint8_t>> scored_pixels(const TechniqueResult& run, co
   return scored;
 }
 
-Json add_run(const TechniqueResult& run, const std::string& id, const Image& reference,
-             const std::filesystem::path& folder, PlaneStore& store) {
+OrderedJson add_run(const TechniqueResult& run, const std::string& id, const Image& reference,
+                    const std::filesystem::path& folder, PlaneStore& store) {
   if (run.image_file.empty()) return nullptr;
   const Image image = read_image(folder / run.image_file);
   require_same_size(image, reference, run.image_file);
@@ -165,14 +165,14 @@ Json add_run(const TechniqueResult& run, const std::string& id, const Image& ref
 
 }  // namespace
 
-Json add_scene_planes(const SceneResult& scene, size_t scene_index, const std::filesystem::path& folder,
-                      PlaneStore& store) {
+OrderedJson add_scene_planes(const SceneResult& scene, size_t scene_index,
+                             const std::filesystem::path& folder, PlaneStore& store) {
   if (!scene.reference) return nullptr;
   const Image reference = read_image(folder / scene.reference->image_file);
   const Parcel parcel = reference_parcel(reference, scene, folder);
   const std::string id = fmt::format("s{}", scene_index);
   store.add(id, parcel.planes);
-  Json runs = Json::array();
+  OrderedJson runs = OrderedJson::array();
   for (const TechniqueResult& run : scene.techniques) {
     runs.push_back(add_run(run, fmt::format("{}-r{}", id, runs.size()), reference, folder, store));
   }

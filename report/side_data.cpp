@@ -13,7 +13,7 @@
 namespace umbrameter {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 using std::string_view;
 
 constexpr std::array kBenchFields = std::to_array<string_view>({"title:text",
@@ -122,7 +122,7 @@ constexpr std::array kRangeFields =
 constexpr std::array kNoRangeFields = std::to_array<string_view>({"why_not:text"});
 
 /// What a person calls it: "leak", "wrong width", "refused".
-void add_words(Json& cell) {
+void add_words(OrderedJson& cell) {
   const std::string name = text_of(cell, "outcome"), how = text_of(cell, "how");
   for (size_t k = 0; k < kStressOutcomes; ++k) {
     const auto outcome = static_cast<StressOutcome>(k);
@@ -133,7 +133,7 @@ void add_words(Json& cell) {
   fail_input(fmt::format("no outcome of a stress run is called '{}'", name));
 }
 
-void add_range_words(Json& range) {
+void add_range_words(OrderedJson& range) {
   if (!range.at("applies").get<bool>()) return require_fields(range, kNoRangeFields);
   require_fields(range, kRangeFields);
   for (const char* end : {"break_before", "break_after"}) {
@@ -141,13 +141,14 @@ void add_range_words(Json& range) {
   }
 }
 
-Json bench_data(const std::filesystem::path& folder) {
-  Json studies = Json::array();
-  for_side_files(folder, "bench", [&](const Json& document, const std::string& file) {
-    const Json list = document.contains("studies") ? document.at("studies") : Json::array({document});
-    for (Json study : list) {
+OrderedJson bench_data(const std::filesystem::path& folder) {
+  OrderedJson studies = OrderedJson::array();
+  for_side_files(folder, "bench", [&](const OrderedJson& document, const std::string& file) {
+    const OrderedJson list =
+        document.contains("studies") ? document.at("studies") : OrderedJson::array({document});
+    for (OrderedJson study : list) {
       require_fields(study, kBenchFields);
-      for (const Json& scene : study.at("scenes")) {
+      for (const OrderedJson& scene : study.at("scenes")) {
         if (scene.contains("truth") && !scene.at("truth").is_null())
           require_fields(scene.at("truth"), kTruthFields);
       }
@@ -158,24 +159,24 @@ Json bench_data(const std::filesystem::path& folder) {
   return studies;
 }
 
-Json stress_data(const std::filesystem::path& folder) {
-  Json maps = Json::array();
-  for_side_files(folder, "stress", [&](const Json& document, const std::string& file) {
+OrderedJson stress_data(const std::filesystem::path& folder) {
+  OrderedJson maps = OrderedJson::array();
+  for_side_files(folder, "stress", [&](const OrderedJson& document, const std::string& file) {
     require_fields(document, kStressFields);
-    Json map = document;
+    OrderedJson map = document;
     map["file"] = file;
-    for (Json& cell : map["cells"]) add_words(cell);
-    for (Json& range : map["ranges"]) add_range_words(range);
+    for (OrderedJson& cell : map["cells"]) add_words(cell);
+    for (OrderedJson& range : map["ranges"]) add_range_words(range);
     maps.push_back(std::move(map));
   });
   return maps;
 }
 
-Json regress_data(const std::filesystem::path& folder) {
-  Json checks = Json::array();
-  for_side_files(folder, "regress", [&](const Json& document, const std::string& file) {
+OrderedJson regress_data(const std::filesystem::path& folder) {
+  OrderedJson checks = OrderedJson::array();
+  for_side_files(folder, "regress", [&](const OrderedJson& document, const std::string& file) {
     require_fields(document, kRegressFields);
-    Json check = document;
+    OrderedJson check = document;
     check["file"] = file;
     checks.push_back(std::move(check));
   });
@@ -184,7 +185,7 @@ Json regress_data(const std::filesystem::path& folder) {
 
 }  // namespace
 
-Json side_data(const std::filesystem::path& folder) {
+OrderedJson side_data(const std::filesystem::path& folder) {
   return {{"benches", bench_data(folder)},
           {"stresses", stress_data(folder)},
           {"regressions", regress_data(folder)}};

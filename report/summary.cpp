@@ -12,7 +12,7 @@
 namespace umbrameter {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 std::string counted(const std::map<std::string, size_t>& counts) {
   std::string text;
@@ -54,8 +54,8 @@ std::string scene_problem(const SceneResult& scene) {
 
 }  // namespace
 
-Json summary_verdicts(const Results& results) {
-  Json problems = Json::array(), scenes = Json::array();
+OrderedJson summary_verdicts(const Results& results) {
+  OrderedJson problems = OrderedJson::array(), scenes = OrderedJson::array();
   for (const Failure& failure : all_failures(results)) problems.push_back("Failed: " + failure.message);
   if (!parity_passes(results))
     problems.push_back("The two renderers disagree on at least one scene; its numbers are void.");

@@ -12,18 +12,18 @@
 namespace umbrameter {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 std::optional<double> value_of(const std::optional<Interval>& interval) {
   return interval ? std::optional(interval->value) : std::nullopt;
 }
 
 /// A column's full-precision value, which sorts, and its text.
-Json cell(const std::optional<double>& value, const std::string& text) {
-  return {value ? Json(*value) : Json(nullptr), text};
+OrderedJson cell(const std::optional<double>& value, const std::string& text) {
+  return {value ? OrderedJson(*value) : OrderedJson(nullptr), text};
 }
 
-Json fault_cell(const std::optional<Diagnosis>& diagnosis) {
+OrderedJson fault_cell(const std::optional<Diagnosis>& diagnosis) {
   const auto worst = diagnosis ? worst_fault(diagnosis->faults) : std::nullopt;
   std::optional<double> part;
   if (diagnosis) part = worst ? diagnosis->faults.of(*worst).mean_abs_error : 0.0;
@@ -42,7 +42,7 @@ std::string verdict_text(const Judgement& judgement) {
   return text.empty() ? kNotApplicable : text;
 }
 
-Json wrong_cell(const std::optional<SignificanceNumbers>& numbers) {
+OrderedJson wrong_cell(const std::optional<SignificanceNumbers>& numbers) {
   if (!numbers || numbers->tested == 0) return cell(std::nullopt, kNotApplicable);
   const size_t wrong = numbers->too_dark + numbers->too_bright;
   return cell(static_cast<double>(wrong),
@@ -55,7 +55,7 @@ std::string why_missing(const SceneResult& scene, const TechniqueResult& run) {
   return scene.failure ? scene.failure->message : "not compared";
 }
 
-void add_error_cells(Json& row, const TechniqueResult& run) {
+void add_error_cells(OrderedJson& row, const TechniqueResult& run) {
   const VisibilityError& error = *run.error;
   const auto penumbra = region_rmse(error.penumbra);
   row["rmse"] = cell(value_of(error.rmse), format_interval(error.rmse));
@@ -69,12 +69,13 @@ void add_error_cells(Json& row, const TechniqueResult& run) {
   row["penumbra_share"] = cell(error.penumbra.share, format_share(error.penumbra.share));
 }
 
-Json row_of(const SceneResult& scene, const TechniqueResult& run) {
+OrderedJson row_of(const SceneResult& scene, const TechniqueResult& run) {
   const auto total = total_time(run.pass_times);
   const auto memory =
       run.memory_bytes > 0 ? std::optional(static_cast<double>(run.memory_bytes)) : std::nullopt;
-  Json row{{"total_ms", cell(total ? std::optional(total->median_ms) : std::nullopt, format_time(total))},
-           {"memory_bytes", cell(memory, memory ? format_bytes(run.memory_bytes) : kNotApplicable)}};
+  OrderedJson row{
+      {"total_ms", cell(total ? std::optional(total->median_ms) : std::nullopt, format_time(total))},
+      {"memory_bytes", cell(memory, memory ? format_bytes(run.memory_bytes) : kNotApplicable)}};
   if (run.error)
     add_error_cells(row, run);
   else
@@ -84,8 +85,8 @@ Json row_of(const SceneResult& scene, const TechniqueResult& run) {
 
 }  // namespace
 
-Json summary_rows(const SceneResult& scene) {
-  Json rows = Json::array();
+OrderedJson summary_rows(const SceneResult& scene) {
+  OrderedJson rows = OrderedJson::array();
   for (const TechniqueResult& run : scene.techniques) rows.push_back(row_of(scene, run));
   return rows;
 }

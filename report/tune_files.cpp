@@ -16,12 +16,12 @@
 namespace umbrameter {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 /// A row of numbers as long as `count`; null where nothing could be measured.
-Json row(const Json& sweep, const char* name, size_t count, const std::string& file) {
-  const Json& numbers = sweep.at(name);
-  const bool is_row = numbers.is_array() && std::ranges::all_of(numbers, [](const Json& number) {
+OrderedJson row(const OrderedJson& sweep, const char* name, size_t count, const std::string& file) {
+  const OrderedJson& numbers = sweep.at(name);
+  const bool is_row = numbers.is_array() && std::ranges::all_of(numbers, [](const OrderedJson& number) {
                         return number.is_number() || number.is_null();
                       });
   if (!is_row || numbers.size() != count)
@@ -30,7 +30,7 @@ Json row(const Json& sweep, const char* name, size_t count, const std::string& f
 }
 
 /// In the unit of the bias; null when the search was cut off.
-Json window_json(const Json& sweep, const std::string& unit) {
+OrderedJson window_json(const OrderedJson& sweep, const std::string& unit) {
   if (!sweep.at("is_complete").get<bool>()) return nullptr;
   if (!sweep.at("has_window").get<bool>()) return {{"empty", true}, {"low", nullptr}, {"high", nullptr}};
   const char* measure = unit == "texels" ? "texels" : "world";
@@ -39,18 +39,18 @@ Json window_json(const Json& sweep, const std::string& unit) {
           {"high", sweep.at("peter_pan_free_to").at(measure).get<double>()}};
 }
 
-Json sweep_json(const Json& sweep, const Json& document, const std::string& file) {
+OrderedJson sweep_json(const OrderedJson& sweep, const OrderedJson& document, const std::string& file) {
   const std::string unit = sweep.at("unit").get<std::string>();
   const size_t count = sweep.at("bias").size();
-  Json out{{"file", file},
-           {"parameter", sweep.at("parameter").get<std::string>()},
-           {"unit", unit},
-           {"beside", sweep.contains("beside") ? sweep.at("beside") : Json("")},
-           {"values", row(sweep, "bias", count, file)},
-           {"objective", row(sweep, "objective", count, file)},
-           {"acne", row(sweep, "acne_share", count, file)},
-           {"peter_panning", row(sweep, "peter_panning_share", count, file)},
-           {"window", window_json(sweep, unit)}};
+  OrderedJson out{{"file", file},
+                  {"parameter", sweep.at("parameter").get<std::string>()},
+                  {"unit", unit},
+                  {"beside", sweep.contains("beside") ? sweep.at("beside") : OrderedJson("")},
+                  {"values", row(sweep, "bias", count, file)},
+                  {"objective", row(sweep, "objective", count, file)},
+                  {"acne", row(sweep, "acne_share", count, file)},
+                  {"peter_panning", row(sweep, "peter_panning_share", count, file)},
+                  {"window", window_json(sweep, unit)}};
   if (document.contains("technique")) out["technique"] = document.at("technique").get<std::string>();
   if (document.contains("scenes")) {
     const auto scenes = document.at("scenes").get<std::vector<std::string>>();
@@ -66,9 +66,9 @@ constexpr std::array kTuningFields = std::to_array<std::string_view>(
      "others[].name:text", "others[].same_cost:flag", "others[].ratio?:number",
      "others[].held_out_ratio?:number", "others[].parameters:object"});
 
-Json tuning_json(const Json& document, const std::string& file) {
+OrderedJson tuning_json(const OrderedJson& document, const std::string& file) {
   require_fields(document, kTuningFields);
-  Json out{{"file", file}};
+  OrderedJson out{{"file", file}};
   for (const char* key : {"technique", "scenes", "objective", "tuned", "sensitivity", "best", "others"})
     out[key] = document.at(key);
   return out;
@@ -76,22 +76,22 @@ Json tuning_json(const Json& document, const std::string& file) {
 
 }  // namespace
 
-Json read_tunings(const std::filesystem::path& folder) {
-  Json tunings = Json::array();
-  for_side_files(folder, "tune", [&](const Json& document, const std::string& file) {
+OrderedJson read_tunings(const std::filesystem::path& folder) {
+  OrderedJson tunings = OrderedJson::array();
+  for_side_files(folder, "tune", [&](const OrderedJson& document, const std::string& file) {
     if (document.contains("best")) tunings.push_back(tuning_json(document, file));
   });
   return tunings;
 }
 
-Json read_bias_sweeps(const std::filesystem::path& folder) {
-  Json sweeps = Json::array();
-  for_side_files(folder, "tune", [&](const Json& document, const std::string& file) {
+OrderedJson read_bias_sweeps(const std::filesystem::path& folder) {
+  OrderedJson sweeps = OrderedJson::array();
+  for_side_files(folder, "tune", [&](const OrderedJson& document, const std::string& file) {
     if (!document.contains("bias_sweep")) return;
-    const Json& found = document.at("bias_sweep");
+    const OrderedJson& found = document.at("bias_sweep");
     if (found.is_null()) return;
-    const Json list = found.is_array() ? found : Json::array({found});
-    for (const Json& sweep : list) sweeps.push_back(sweep_json(sweep, document, file));
+    const OrderedJson list = found.is_array() ? found : OrderedJson::array({found});
+    for (const OrderedJson& sweep : list) sweeps.push_back(sweep_json(sweep, document, file));
   });
   return sweeps;
 }

@@ -14,20 +14,20 @@
 namespace umbrameter {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Json vector_json(const glm::dvec3& v) {
+OrderedJson vector_json(const glm::dvec3& v) {
   return {v.x, v.y, v.z};
 }
 
 /// Rows, as written on paper.
-Json matrix_json(const glm::dmat4& m) {
-  Json rows = Json::array();
+OrderedJson matrix_json(const glm::dmat4& m) {
+  OrderedJson rows = OrderedJson::array();
   for (int row = 0; row < 4; ++row) rows.push_back({m[0][row], m[1][row], m[2][row], m[3][row]});
   return rows;
 }
 
-Json camera_json(const Camera& camera, int width_px, int height_px) {
+OrderedJson camera_json(const Camera& camera, int width_px, int height_px) {
   const glm::dmat4 view = view_from_world(camera);
   const glm::dmat4 clip = clip_from_world(camera, width_px, height_px);
   return {{"eye_world", vector_json(camera.eye_world)},
@@ -43,8 +43,8 @@ Json camera_json(const Camera& camera, int width_px, int height_px) {
           {"clip_depth", "reversed: near 1, infinity 0; x right, y up, -1 to 1; row 0 of a picture on top"}};
 }
 
-Json corners_json(const Light& light) {
-  Json corners = Json::array();
+OrderedJson corners_json(const Light& light) {
+  OrderedJson corners = OrderedJson::array();
   for (const auto& [u, v] : {std::pair{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}) {
     corners.push_back(vector_json(light.center_world + u * light.size_world.x * light.tangent_world +
                                   v * light.size_world.y * light.bitangent_world));
@@ -52,8 +52,8 @@ Json corners_json(const Light& light) {
   return corners;
 }
 
-Json light_json(const Light& light) {
-  Json json = {{"name", light.name}, {"type", to_text(light.type)}};
+OrderedJson light_json(const Light& light) {
+  OrderedJson json = {{"name", light.name}, {"type", to_text(light.type)}};
   json["direction_world"] = vector_json(light.direction_world);
   json["tangent_world"] = vector_json(light.tangent_world);
   json["bitangent_world"] = vector_json(light.bitangent_world);
@@ -98,14 +98,15 @@ std::string scene_obj_text(const Scene& scene) {
 }
 
 std::string scene_json_text(const Scene& scene, const std::string& name, int width_px, int height_px) {
-  const Json json = {{"scene", name},
-                     {"hash", scene.hash},
-                     {"mesh", "scene.obj"},
-                     {"mesh_hash", mesh_hash(scene)},
-                     {"triangles", scene.triangles.size()},
-                     {"space", "world: right-handed, y up, metres; matrices in rows, for column vectors"},
-                     {"camera", camera_json(scene.camera, width_px, height_px)},
-                     {"light", light_json(scene.light())}};
+  const OrderedJson json = {
+      {"scene", name},
+      {"hash", scene.hash},
+      {"mesh", "scene.obj"},
+      {"mesh_hash", mesh_hash(scene)},
+      {"triangles", scene.triangles.size()},
+      {"space", "world: right-handed, y up, metres; matrices in rows, for column vectors"},
+      {"camera", camera_json(scene.camera, width_px, height_px)},
+      {"light", light_json(scene.light())}};
   return json.dump(2) + "\n";
 }
 

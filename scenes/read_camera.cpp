@@ -8,7 +8,7 @@
 namespace umbrameter {
 namespace {
 
-constexpr double kMinSine = 1e-6;  // of the angle between up and the view direction
+constexpr double kMinUpSine = 1e-6;  // of the angle between up and the view direction
 
 double read_fov_deg(TomlReader& reader) {
   const double fov_deg = reader.number("fov_deg", Camera{}.vertical_fov_deg);
@@ -34,7 +34,7 @@ Camera read_camera(const TomlNode& table) {
     reader.fail("at", fmt::format("the camera stands on its target {}", to_text(camera.at_world)),
                 "'eye' and 'at' must differ");
   }
-  if (glm::length(glm::cross(view / distance, camera.up_world)) < kMinSine) {
+  if (glm::length(glm::cross(view / distance, camera.up_world)) < kMinUpSine) {
     reader.fail("up", fmt::format("'up' = {} is parallel to the view direction", to_text(camera.up_world)),
                 "for a view straight down choose up = [0, 0, -1]");
   }

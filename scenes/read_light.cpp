@@ -14,7 +14,7 @@ namespace {
 using glm::dvec3;
 
 const std::array<std::string, 4> kTypes = {"rect", "disk", "sphere", "sun"};
-constexpr double kMinSine = 1e-6;  // of the angle between tangent and direction
+constexpr double kMinTangentSine = 1e-6;  // of the angle between tangent and direction
 constexpr double kVerticalSine = 1e-3;
 
 const dvec3 kDown(0, -1, 0);
@@ -41,7 +41,7 @@ dvec3 read_tangent(TomlReader& reader, const dvec3& direction) {
   if (!reader.has("tangent")) return default_tangent(direction);
   const dvec3 wanted = read_unit_vector(reader, "tangent");
   const dvec3 tangent = wanted - direction * glm::dot(wanted, direction);
-  if (glm::length(tangent) > kMinSine) return glm::normalize(tangent);
+  if (glm::length(tangent) > kMinTangentSine) return glm::normalize(tangent);
   reader.fail("tangent", fmt::format("'tangent' = {} is parallel to the light's direction", to_text(wanted)));
 }
 

@@ -15,7 +15,7 @@
 namespace umbrameter {
 namespace {
 
-struct Context {
+struct BenchContext {
   const StudyScene& job;
   const BenchPlan& plan;
   Renderers renderers;
@@ -43,7 +43,7 @@ BenchScene describe(const StudyScene& job) {
 }
 
 /// An entry for every run that supports the scene's light; the others join `skipped`.
-std::vector<LabelledRequest> choose_runs(const Context& context, BenchScene& scene,
+std::vector<LabelledRequest> choose_runs(const BenchContext& context, BenchScene& scene,
                                          std::vector<Skip>& skipped) {
   std::vector<LabelledRequest> requests;
   for (const BenchRun& run : context.plan.runs) {
@@ -92,7 +92,7 @@ void keep_picture(Image& image, Image& visibility, std::optional<Image>& surface
   image = Image();
 }
 
-Pictures time_runs(const Context& context, BenchScene& scene, std::vector<Skip>& skipped) {
+Pictures time_runs(const BenchContext& context, BenchScene& scene, std::vector<Skip>& skipped) {
   Pictures pictures;
   const std::vector<LabelledRequest> requests = choose_runs(context, scene, skipped);
   pictures.visibility.resize(requests.size());
@@ -107,7 +107,7 @@ Pictures time_runs(const Context& context, BenchScene& scene, std::vector<Skip>&
 }
 
 /// Renders the truth and sets what follows from it: parity, and each run's error.
-void score_runs(const Context& context, const Pictures& pictures, BenchScene& scene) {
+void score_runs(const BenchContext& context, const Pictures& pictures, BenchScene& scene) {
   const RenderRequest request = request_of(context.plan.picture);
   const glm::dvec3& eye = context.job.scene.camera.eye_world;
   const double eye_world[3] = {eye.x, eye.y, eye.z};
@@ -137,7 +137,7 @@ void score_runs(const Context& context, const Pictures& pictures, BenchScene& sc
   }
 }
 
-BenchScene bench_scene(const Context& context, std::vector<Skip>& skipped) {
+BenchScene bench_scene(const BenchContext& context, std::vector<Skip>& skipped) {
   BenchScene scene = describe(context.job);
   const Pictures pictures = time_runs(context, scene, skipped);
   if (pictures.surfaces) score_runs(context, pictures, scene);

@@ -10,9 +10,9 @@
 namespace umbrameter {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Json entry_json(const BenchEntry& entry) {
+OrderedJson entry_json(const BenchEntry& entry) {
   return {{"label", entry.label},
           {"technique", entry.technique},
           {"hash", entry.hash},
@@ -28,45 +28,46 @@ Json entry_json(const BenchEntry& entry) {
           {"device", entry.device},
           {"is_software", entry.is_software},
           {"memory_bytes", entry.memory_bytes},
-          {"is_on_front", entry.has_place ? Json(!entry.dominated_by) : Json(nullptr)},
+          {"is_on_front", entry.has_place ? OrderedJson(!entry.dominated_by) : OrderedJson(nullptr)},
           {"dominated_by", optional_json(entry.dominated_by)},
           {"warnings", entry.warnings}};
 }
 
 /// Infinity, which JSON lacks, is null: "at least".
-Json paper_json(const PaperRatio& paper) {
-  return {{"low", paper.low}, {"high", std::isinf(paper.high) ? Json(nullptr) : Json(paper.high)}};
+OrderedJson paper_json(const PaperRatio& paper) {
+  return {{"low", paper.low},
+          {"high", std::isinf(paper.high) ? OrderedJson(nullptr) : OrderedJson(paper.high)}};
 }
 
-Json claim_json(const ClaimResult& result, const Claim& claim) {
-  Json json{{"text", claim.text},
-            {"source", claim.source},
-            {"quantity", to_text(claim.quantity)},
-            {"without", claim.without},
-            {"numerator", claim.numerator},
-            {"denominator", claim.denominator},
-            {"unequal_cost", claim.has_unequal_cost},
-            {"compares_per_pixel", Json::array({optional_json(result.compares_per_pixel[0]),
-                                                optional_json(result.compares_per_pixel[1])})},
-            {"paper", paper_json(result.paper)},
-            {"ours", interval_json(result.ours)},
-            {"verdict", verdict_text(result)},
-            {"reason", result.reason}};
+OrderedJson claim_json(const ClaimResult& result, const Claim& claim) {
+  OrderedJson json{{"text", claim.text},
+                   {"source", claim.source},
+                   {"quantity", to_text(claim.quantity)},
+                   {"without", claim.without},
+                   {"numerator", claim.numerator},
+                   {"denominator", claim.denominator},
+                   {"unequal_cost", claim.has_unequal_cost},
+                   {"compares_per_pixel", OrderedJson::array({optional_json(result.compares_per_pixel[0]),
+                                                              optional_json(result.compares_per_pixel[1])})},
+                   {"paper", paper_json(result.paper)},
+                   {"ours", interval_json(result.ours)},
+                   {"verdict", verdict_text(result)},
+                   {"reason", result.reason}};
   if (claim.quantity == Quantity::pass_time) json["pass"] = claim.pass;
   return json;
 }
 
-Json ranking_json(const Ranking& ranking, const BenchScene& scene) {
-  Json labels = Json::array();
+OrderedJson ranking_json(const Ranking& ranking, const BenchScene& scene) {
+  OrderedJson labels = OrderedJson::array();
   for (const size_t i : ranking) labels.push_back(scene.entries[i].label);
   return labels;
 }
 
-Json truth_json(const TruthCurve& truth) {
-  Json points = Json::array();
+OrderedJson truth_json(const TruthCurve& truth) {
+  OrderedJson points = OrderedJson::array();
   for (const TruthPoint& point : truth.points) {
     const auto rmse = [&](double Interval::*part) {
-      return point.rmse ? Json((*point.rmse).*part) : Json(nullptr);
+      return point.rmse ? OrderedJson((*point.rmse).*part) : OrderedJson(nullptr);
     };
     points.push_back({{"kind", point.kind},
                       {"setting", point.setting},
@@ -80,29 +81,29 @@ Json truth_json(const TruthCurve& truth) {
   return {{"points", points}, {"exponent", optional_json(truth.exponent)}};
 }
 
-Json scene_json(const BenchScene& scene, const BenchPlan& plan, const BenchQueries& queries) {
-  Json entries = Json::array();
+OrderedJson scene_json(const BenchScene& scene, const BenchPlan& plan, const BenchQueries& queries) {
+  OrderedJson entries = OrderedJson::array();
   for (const BenchEntry& entry : scene.entries) entries.push_back(entry_json(entry));
-  Json claims = Json::array();
+  OrderedJson claims = OrderedJson::array();
   for (const ClaimResult& result : scene.claims)
     claims.push_back(claim_json(result, plan.claims.at(result.claim)));
-  Json json{{"name", scene.name},
-            {"scene", scene.scene},
-            {"camera", scene.camera},
-            {"title", scene.title},
-            {"hash", scene.hash},
-            {"light", scene.light},
-            {"triangles", scene.triangles},
-            {"warnings", scene.warnings},
-            {"failure", failure_json(scene.failure)},
-            {"reference_device", scene.reference_device},
-            {"parity", parity_json(scene.parity)},
-            {"runs", entries},
-            {"claims", claims}};
+  OrderedJson json{{"name", scene.name},
+                   {"scene", scene.scene},
+                   {"camera", scene.camera},
+                   {"title", scene.title},
+                   {"hash", scene.hash},
+                   {"light", scene.light},
+                   {"triangles", scene.triangles},
+                   {"warnings", scene.warnings},
+                   {"failure", failure_json(scene.failure)},
+                   {"reference_device", scene.reference_device},
+                   {"parity", parity_json(scene.parity)},
+                   {"runs", entries},
+                   {"claims", claims}};
   if (!json["parity"].is_null()) json["parity"].erase("picture_file");
   if (scene.truth) json["truth"] = truth_json(*scene.truth);
   const auto best = recommended(scene.entries);
-  json["recommended"] = best ? Json(scene.entries[*best].label) : Json(nullptr);
+  json["recommended"] = best ? OrderedJson(scene.entries[*best].label) : OrderedJson(nullptr);
   if (queries.best_under_ms)
     json["best_under"] = ranking_json(best_under(scene.entries, *queries.best_under_ms), scene);
   if (queries.cheapest_below_rmse)
@@ -111,7 +112,7 @@ Json scene_json(const BenchScene& scene, const BenchPlan& plan, const BenchQueri
   return json;
 }
 
-Json overall_json(const std::optional<OverallRecommendation>& overall) {
+OrderedJson overall_json(const std::optional<OverallRecommendation>& overall) {
   if (!overall) return nullptr;
   return {{"label", overall->label}, {"cost", overall->cost}, {"scenes", overall->scenes}};
 }
@@ -120,7 +121,7 @@ Json overall_json(const std::optional<OverallRecommendation>& overall) {
 
 std::string to_json_text(const BenchResults& results, const BenchQueries& queries) {
   const BenchPlan& plan = results.plan;
-  Json scenes = Json::array();
+  OrderedJson scenes = OrderedJson::array();
   for (const BenchScene& scene : results.scenes) scenes.push_back(scene_json(scene, plan, queries));
   return dump({{"schema", kBenchSchema},
                {"version", results.version},

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kMostShift_px = 2;
 /// A reading must leave less than this share of the error to be named.
-constexpr double kFarBetter = 0.5;
+constexpr double kFarBetterShare = 0.5;
 
 struct Reading {
   bool is_upside_down = false, is_mirrored = false;
@@ -60,7 +60,7 @@ std::vector<Reading> all_readings() {
 std::optional<std::string> better_alignment(const Image& test, const Image& reference,
                                             std::span<const uint8_t> known) {
   const double as_it_stands = mean_square(test, reference, {}, known);
-  double best = kFarBetter * as_it_stands;
+  double best = kFarBetterShare * as_it_stands;
   std::optional<std::string> name;
   for (const Reading& reading : all_readings()) {
     const double error = mean_square(test, reference, reading, known);
@@ -79,7 +79,7 @@ bool is_inverted(const Image& test, const Image& reference, std::span<const uint
     straight += std::pow(static_cast<double>(v[i]) - r[i], 2);
     inverted += std::pow(1.0 - static_cast<double>(v[i]) - r[i], 2);
   }
-  return inverted < kFarBetter * straight;
+  return inverted < kFarBetterShare * straight;
 }
 
 }  // namespace umbrameter

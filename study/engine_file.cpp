@@ -149,7 +149,7 @@ void add_notes(const std::vector<ImagePart>& parts, const Candidate& chosen, con
         "{}: JPEG loses detail beyond its rounding, and nothing tells how much; score PNG or EXR", file));
 }
 
-constexpr std::array<std::pair<const char*, LayerKind>, 3> kKinds = {
+constexpr std::array<std::pair<const char*, LayerKind>, 3> kLayerKinds = {
     {{"position", LayerKind::position}, {"normal", LayerKind::normal}, {"depth", LayerKind::depth}}};
 
 struct SurfaceFile {
@@ -158,7 +158,7 @@ struct SurfaceFile {
 };
 
 SurfaceFile parse_surface_file(const std::string& text) {
-  for (const auto& [name, kind] : kKinds) {
+  for (const auto& [name, kind] : kLayerKinds) {
     const std::string prefix = std::string(name) + "=";
     if (text.starts_with(prefix)) return {text.substr(prefix.size()), kind};
   }

@@ -8,7 +8,7 @@
 namespace umbrameter {
 namespace {
 
-constexpr std::array<std::string_view, kGateClasses> kNames = {
+constexpr std::array<std::string_view, kGateClasses> kClassNames = {
     "failure",   "metric",         "truth",        "parity",     "light",
     "acne",      "terminator",     "extra_shadow", "resolution", "peter_panning",
     "bleed",     "geometric_leak", "lost_shadow",  "softness",   "penumbra_too_wide",
@@ -231,7 +231,7 @@ std::optional<GateClass> main_fault(const std::vector<GateMeasure>& measures, co
 }  // namespace
 
 std::string_view name_of(GateClass kind) {
-  return kNames[static_cast<size_t>(kind)];
+  return kClassNames[static_cast<size_t>(kind)];
 }
 
 double GateMeasure::severity() const {

@@ -6,7 +6,7 @@
 namespace umbrameter {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 std::string_view kind_text(ErrorKind kind) {
   switch (kind) {
@@ -24,26 +24,26 @@ std::string_view kind_text(ErrorKind kind) {
 
 }  // namespace
 
-Json interval_json(const std::optional<Interval>& interval) {
+OrderedJson interval_json(const std::optional<Interval>& interval) {
   if (!interval) return nullptr;
   return {{"value", interval->value}, {"low", interval->low}, {"high", interval->high}};
 }
 
-Json failure_json(const std::optional<Failure>& failure) {
+OrderedJson failure_json(const std::optional<Failure>& failure) {
   if (!failure) return nullptr;
   return {{"kind", kind_text(failure->kind)}, {"message", failure->message}};
 }
 
-Json parameters_json(const ParameterValues& parameters) {
-  Json object = Json::object();
+OrderedJson parameters_json(const ParameterValues& parameters) {
+  OrderedJson object = OrderedJson::object();
   for (const auto& [name, value] : parameters) {
     std::visit([&](const auto& held) { object[name] = held; }, value);
   }
   return object;
 }
 
-Json times_json(const std::vector<PassTime>& times) {
-  Json list = Json::array();
+OrderedJson times_json(const std::vector<PassTime>& times) {
+  OrderedJson list = OrderedJson::array();
   for (const PassTime& time : times) {
     list.push_back({{"pass", time.pass},
                     {"median_ms", time.median_ms},
@@ -53,7 +53,7 @@ Json times_json(const std::vector<PassTime>& times) {
   return list;
 }
 
-Json parity_json(const std::optional<ParityNumbers>& parity) {
+OrderedJson parity_json(const std::optional<ParityNumbers>& parity) {
   if (!parity) return nullptr;
   return {{"passes", parity->passes},
           {"agreement", parity->agreement},
@@ -67,8 +67,8 @@ Json parity_json(const std::optional<ParityNumbers>& parity) {
           {"picture_file", parity->picture_file}};
 }
 
-Json skips_json(const std::vector<Skip>& skipped) {
-  Json list = Json::array();
+OrderedJson skips_json(const std::vector<Skip>& skipped) {
+  OrderedJson list = OrderedJson::array();
   for (const Skip& skip : skipped) {
     list.push_back({{"scene", skip.scene},
                     {"technique", skip.technique},
@@ -78,8 +78,8 @@ Json skips_json(const std::vector<Skip>& skipped) {
   return list;
 }
 
-std::string dump(const Json& json) {
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+std::string dump(const OrderedJson& json) {
+  return json.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 }  // namespace umbrameter

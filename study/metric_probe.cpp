@@ -11,7 +11,7 @@ namespace umbrameter {
 namespace {
 
 constexpr int kWidth_px = 64, kHeight_px = 32;
-constexpr double kTolerance = 1e-6;
+constexpr double kProbeTolerance = 1e-6;
 
 struct Probe {
   Image test{kWidth_px, kHeight_px}, reference{kWidth_px, kHeight_px};
@@ -65,7 +65,7 @@ std::vector<std::string> metric_problems(const ErrorMetric& metric) {
                          {"noise_floor_mse", error.noise_floor_mse, 4e-4}};
   std::vector<std::string> problems;
   for (const auto& [name, found, expected] : known) {
-    if (found && std::abs(*found - expected) < kTolerance) continue;
+    if (found && std::abs(*found - expected) < kProbeTolerance) continue;
     problems.push_back(fmt::format("the error metric's {} of a known pair is {} instead of {}", name,
                                    found ? fmt::format("{:.6f}", *found) : "absent", expected));
   }

@@ -10,7 +10,7 @@
 namespace umbrameter {
 namespace {
 
-constexpr double kFarBetter = 0.5;  // of the RMSE: the other quantity is named
+constexpr double kOtherQuantityShare = 0.5;  // of the RMSE: the other quantity is named
 
 void require_size(const EngineImage& picture, const std::string& name, const Image& reference) {
   if (picture.width == reference.width && picture.height == reference.height) return;
@@ -143,7 +143,7 @@ PictureScore score_picture(const EnginePicture& picture, const Image& reference,
       const double rmse_v = size_of(v.error->rmse), rmse_s = size_of(s.error->rmse);
       if (picture.is_pair && rmse_s < rmse_v) out.quantity = ShadowQuantity::irradiance;
       out.other_rmse = out.quantity == ShadowQuantity::visibility ? s.error->rmse : v.error->rmse;
-      if (!picture.is_pair && rmse_s < kFarBetter * rmse_v)
+      if (!picture.is_pair && rmse_s < kOtherQuantityShare * rmse_v)
         out.notes.push_back(
             fmt::format("the picture fits the irradiance ratio far better than visibility (RMSE {:.5f} "
                         "instead of {:.5f}): "

@@ -13,7 +13,7 @@ double product(const BenchEntry& entry) {
 }
 
 /// Of one run over scenes.
-struct Sum {
+struct SceneSum {
   double log_cost = 0.0;
   size_t scenes = 0;
 };
@@ -44,11 +44,11 @@ std::optional<size_t> recommended(std::span<const BenchEntry> entries) {
 }
 
 std::optional<OverallRecommendation> recommended_overall(std::span<const BenchScene> scenes) {
-  std::map<std::string, Sum> sums;
+  std::map<std::string, SceneSum> sums;
   size_t most_scenes = 0;
   for (const BenchScene& scene : scenes) {
     for (const auto& [label, cost] : costs_in(scene)) {
-      Sum& sum = sums[label];
+      SceneSum& sum = sums[label];
       sum.log_cost += cost;
       most_scenes = std::max(most_scenes, ++sum.scenes);
     }

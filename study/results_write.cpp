@@ -13,10 +13,10 @@
 namespace umbrameter {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Json scene_json(const SceneResult& scene) {
-  Json techniques = Json::array();
+OrderedJson scene_json(const SceneResult& scene) {
+  OrderedJson techniques = OrderedJson::array();
   for (const TechniqueResult& run : scene.techniques) techniques.push_back(technique_json(run));
   return {{"name", scene.name},
           {"title", scene.title},
@@ -32,8 +32,8 @@ Json scene_json(const SceneResult& scene) {
           {"techniques", techniques}};
 }
 
-Json results_json(const Results& results) {
-  Json scenes = Json::array();
+OrderedJson results_json(const Results& results) {
+  OrderedJson scenes = OrderedJson::array();
   for (const SceneResult& scene : results.scenes) scenes.push_back(scene_json(scene));
   return {{"schema", kResultsSchema},
           {"version", results.version},
@@ -49,7 +49,7 @@ Json results_json(const Results& results) {
           {"skipped", skips_json(results.skipped)}};
 }
 
-Json work_json(const WorkDone& work) {
+OrderedJson work_json(const WorkDone& work) {
   return {{"rendered", work.rendered},
           {"reused", work.reused},
           {"references_rendered", work.references_rendered},
@@ -63,26 +63,26 @@ std::string to_json_text(const Results& results) {
 }
 
 std::string to_json_text_with_work(const Results& results) {
-  Json json = results_json(results);
+  OrderedJson json = results_json(results);
   json["work"] = work_json(results.work);
   return dump(json);
 }
 
-Json picture_json(const PictureScore& picture, const std::string& test_file,
-                  const std::string& reference_file) {
+OrderedJson picture_json(const PictureScore& picture, const std::string& test_file,
+                         const std::string& reference_file) {
   const Score& score = picture.score;
   const ParityNumbers numbers = parity_numbers(score.parity, ParityTolerance{}.required_agreement);
-  Json parity = parity_json(score.has_surfaces ? std::optional(numbers) : std::nullopt);
+  OrderedJson parity = parity_json(score.has_surfaces ? std::optional(numbers) : std::nullopt);
   if (!parity.is_null()) parity.erase("picture_file");
-  Json json{{"test", test_file},
-            {"reference", reference_file},
-            {"quantity", to_text(picture.quantity)},
-            {"quantity_given", picture.is_quantity_given},
-            {"other_rmse", interval_json(picture.other_rmse)},
-            {"parity", parity},
-            {"scorable_pixels", score.scorable_pixels},
-            {"error", score.error ? error_json(*score.error) : Json(nullptr)},
-            {"lit_rmse", optional_json(score.lit_rmse)}};
+  OrderedJson json{{"test", test_file},
+                   {"reference", reference_file},
+                   {"quantity", to_text(picture.quantity)},
+                   {"quantity_given", picture.is_quantity_given},
+                   {"other_rmse", interval_json(picture.other_rmse)},
+                   {"parity", parity},
+                   {"scorable_pixels", score.scorable_pixels},
+                   {"error", score.error ? error_json(*score.error) : OrderedJson(nullptr)},
+                   {"lit_rmse", optional_json(score.lit_rmse)}};
   add_judgement(score.judgement, json);
   add_diagnosis(score.diagnosis, json);
   json["similarity"] = similarity_json(score.similarity);

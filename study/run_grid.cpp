@@ -16,7 +16,7 @@ namespace {
 constexpr std::string_view kStage = "stage";
 
 /// One parameter with the values it takes in turn.
-struct Axis {
+struct GridAxis {
   std::string name;
   std::vector<TomlNode> values;
   bool is_list = false;
@@ -110,7 +110,7 @@ std::vector<TomlNode> read_log(TomlReader& reader) {
   return values;
 }
 
-Axis read_axis(const std::string& name, const TomlNode& node) {
+GridAxis read_grid_axis(const std::string& name, const TomlNode& node) {
   if (node.type == TomlNode::Type::array) {
     if (node.items.empty()) fail_input(fmt::format("the list of '{}' is empty", name), node.where);
     for (const TomlNode& item : node.items) require_scalar(item, name);
@@ -128,15 +128,15 @@ Axis read_axis(const std::string& name, const TomlNode& node) {
 }
 
 /// TOML reads stage.taps = "uniform" as a table in a table.
-std::vector<Axis> read_axes(const TomlNode& table) {
-  std::vector<Axis> axes;
+std::vector<GridAxis> read_axes(const TomlNode& table) {
+  std::vector<GridAxis> axes;
   for (const auto& [name, node] : table.entries) {
     if (name != kStage || node.type != TomlNode::Type::table) {
-      axes.push_back(read_axis(name, node));
+      axes.push_back(read_grid_axis(name, node));
       continue;
     }
     for (const auto& [parameter, stage] : node.entries)
-      axes.push_back(read_axis(fmt::format("{}.{}", kStage, parameter), stage));
+      axes.push_back(read_grid_axis(fmt::format("{}.{}", kStage, parameter), stage));
   }
   return axes;
 }
@@ -164,8 +164,8 @@ std::vector<std::string> fill_label(std::string& label, const StudyRun& run) {
 }
 
 /// Samples run fastest.
-StudyRun point(const StudyRun& run, const std::vector<Axis>& axes, const std::vector<SamplePoint>& samples,
-               size_t index) {
+StudyRun point(const StudyRun& run, const std::vector<GridAxis>& axes,
+               const std::vector<SamplePoint>& samples, size_t index) {
   StudyRun chosen = run;
   const SamplePoint& sample = samples[index % samples.size()];
   index /= samples.size();
@@ -188,14 +188,14 @@ StudyRun point(const StudyRun& run, const std::vector<Axis>& axes, const std::ve
 }
 
 /// One empty point without `[run.sample]`.
-std::vector<SamplePoint> read_sample_table(TomlReader& reader, const std::vector<Axis>& axes) {
+std::vector<SamplePoint> read_sample_table(TomlReader& reader, const std::vector<GridAxis>& axes) {
   const TomlNode* table = reader.find("sample");
   if (table == nullptr) return {SamplePoint{}};
   if (table->type != TomlNode::Type::table)
     reader.fail("sample", fmt::format("'sample' is {}, not a table", describe(table->type)));
   std::vector<SamplePoint> samples = read_samples(*table);
   for (const auto& [name, value] : samples.front()) {
-    if (std::ranges::find(axes, name, &Axis::name) != axes.end())
+    if (std::ranges::find(axes, name, &GridAxis::name) != axes.end())
       fail_input(fmt::format("'{}' is among the values and among the samples", name), value.where);
   }
   return samples;
@@ -214,7 +214,7 @@ std::vector<StudyRun> expand_run(const TomlNode& table) {
   run.label = reader.text("label", run.technique);
   run.preset = reader.text("preset", "");
   if (run.label.empty()) reader.fail("label", "the label is empty");
-  std::vector<Axis> axes;
+  std::vector<GridAxis> axes;
   if (const TomlNode* values = reader.find("values")) {
     if (values->type != TomlNode::Type::table)
       reader.fail("values", fmt::format("'values' is {}, not a table", describe(values->type)));
@@ -223,7 +223,7 @@ std::vector<StudyRun> expand_run(const TomlNode& table) {
   const std::vector<SamplePoint> samples = read_sample_table(reader, axes);
   reader.finish();
   size_t count = samples.size();
-  for (const Axis& axis : axes) {
+  for (const GridAxis& axis : axes) {
     count *= axis.values.size();
     if (count > kMaxStudyRuns)
       fail_input(fmt::format("the grid of run '{}' has more than {} points", run.label, kMaxStudyRuns),

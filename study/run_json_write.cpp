@@ -9,11 +9,11 @@
 
 namespace umbrameter {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 namespace {
 
-Json region_json(const RegionError& region) {
+OrderedJson region_json(const RegionError& region) {
   return {{"pixels", region.pixels},
           {"share", region.share},
           {"mse", region.mse},
@@ -21,7 +21,7 @@ Json region_json(const RegionError& region) {
           {"bias", region.bias}};
 }
 
-Json temporal_json(const std::optional<TemporalNumbers>& temporal) {
+OrderedJson temporal_json(const std::optional<TemporalNumbers>& temporal) {
   if (!temporal) return nullptr;
   return {{"frames", temporal->frames},
           {"camera",
@@ -36,7 +36,7 @@ Json temporal_json(const std::optional<TemporalNumbers>& temporal) {
 
 }  // namespace
 
-Json error_json(const VisibilityError& error) {
+OrderedJson error_json(const VisibilityError& error) {
   return {{"scored_pixels", error.scored_pixels},
           {"mse", interval_json(error.mse)},
           {"rmse", interval_json(error.rmse)},
@@ -51,28 +51,28 @@ Json error_json(const VisibilityError& error) {
           {"penumbra", region_json(error.penumbra)}};
 }
 
-Json technique_json(const TechniqueResult& run) {
-  Json json{{"label", run.label},
-            {"technique", run.technique},
-            {"title", run.title},
-            {"hash", run.hash},
-            {"parameters", parameters_json(run.parameters)},
-            {"failure", failure_json(run.failure)},
-            {"error", run.error ? error_json(*run.error) : Json(nullptr)},
-            {"lit_rmse", optional_json(run.lit_rmse)},
-            {"clipped_share", run.clipped_share},
-            {"pass_times", times_json(run.pass_times)},
-            {"timer", run.timer},
-            {"device", run.device},
-            {"memory_bytes", run.memory_bytes},
-            {"wall_time_s", run.wall_time_s},
-            {"warnings", run.warnings},
-            {"left_out", run.left_out},
-            {"measured_at", run.measured_at},
-            {"image_file", run.image_file},
-            {"picture_file", run.picture_file},
-            {"error_picture_file", run.error_picture_file},
-            {"fault_picture_file", run.fault_picture_file}};
+OrderedJson technique_json(const TechniqueResult& run) {
+  OrderedJson json{{"label", run.label},
+                   {"technique", run.technique},
+                   {"title", run.title},
+                   {"hash", run.hash},
+                   {"parameters", parameters_json(run.parameters)},
+                   {"failure", failure_json(run.failure)},
+                   {"error", run.error ? error_json(*run.error) : OrderedJson(nullptr)},
+                   {"lit_rmse", optional_json(run.lit_rmse)},
+                   {"clipped_share", run.clipped_share},
+                   {"pass_times", times_json(run.pass_times)},
+                   {"timer", run.timer},
+                   {"device", run.device},
+                   {"memory_bytes", run.memory_bytes},
+                   {"wall_time_s", run.wall_time_s},
+                   {"warnings", run.warnings},
+                   {"left_out", run.left_out},
+                   {"measured_at", run.measured_at},
+                   {"image_file", run.image_file},
+                   {"picture_file", run.picture_file},
+                   {"error_picture_file", run.error_picture_file},
+                   {"fault_picture_file", run.fault_picture_file}};
   add_judgement(run.judgement, json);
   add_diagnosis(run.diagnosis, json);
   if (run.fault_causes) json["fault_causes"] = fault_causes_json(run.fault_causes);
@@ -82,7 +82,7 @@ Json technique_json(const TechniqueResult& run) {
   return json;
 }
 
-Json reference_json(const std::optional<ReferenceResult>& reference) {
+OrderedJson reference_json(const std::optional<ReferenceResult>& reference) {
   if (!reference) return nullptr;
   return {{"device", reference->device},
           {"wall_time_s", reference->wall_time_s},

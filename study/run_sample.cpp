@@ -15,7 +15,7 @@ namespace {
 constexpr const char* kForms = "give [low, high], { log = [low, high] } or { list = [...] }";
 
 /// A parameter's values over a place in [0, 1).
-struct Axis {
+struct SampleAxis {
   std::string name;
   double low = 0.0, high = 0.0;
   bool is_whole = false;
@@ -29,7 +29,7 @@ bool is_number(const TomlNode& node) {
          std::isfinite(node.real);
 }
 
-void read_ends(const TomlNode& node, Axis& axis) {
+void read_ends(const TomlNode& node, SampleAxis& axis) {
   const bool is_pair = node.type == TomlNode::Type::array && node.items.size() == 2 &&
                        std::ranges::all_of(node.items, is_number);
   if (!is_pair)
@@ -43,7 +43,7 @@ void read_ends(const TomlNode& node, Axis& axis) {
              node.where, axis.is_log ? "0 < low < high" : "low < high");
 }
 
-void read_list(const TomlNode& node, Axis& axis) {
+void read_list(const TomlNode& node, SampleAxis& axis) {
   const auto is_scalar = [](const TomlNode& item) {
     return item.type != TomlNode::Type::array && item.type != TomlNode::Type::table;
   };
@@ -52,8 +52,8 @@ void read_list(const TomlNode& node, Axis& axis) {
   axis.list = node.items;
 }
 
-Axis read_axis(const std::string& name, const TomlNode& node) {
-  Axis axis;
+SampleAxis read_sample_axis(const std::string& name, const TomlNode& node) {
+  SampleAxis axis;
   axis.name = name;
   axis.where = node.where;
   if (node.type != TomlNode::Type::table) {
@@ -74,7 +74,7 @@ Axis read_axis(const std::string& name, const TomlNode& node) {
 }
 
 /// Every whole number of a linear range has an equal share of [0, 1).
-TomlNode value_at(const Axis& axis, double place) {
+TomlNode value_at(const SampleAxis& axis, double place) {
   if (!axis.list.empty())
     return axis.list[static_cast<size_t>(place * static_cast<double>(axis.list.size()))];
   TomlNode node;
@@ -127,7 +127,7 @@ std::vector<SamplePoint> read_samples(const TomlNode& table) {
   std::vector<SamplePoint> points(static_cast<size_t>(count));
   for (const auto& [name, node] : table.entries) {
     if (name == "count" || name == "seed") continue;
-    const Axis axis = read_axis(name, node);
+    const SampleAxis axis = read_sample_axis(name, node);
     const std::vector<size_t> pieces = shuffled(points.size(), random);
     for (size_t i = 0; i < points.size(); ++i) {
       const double place = (static_cast<double>(pieces[i]) + uniform(random)) / static_cast<double>(count);

@@ -12,7 +12,7 @@ namespace umbrameter {
 namespace {
 
 constexpr const char* kQuantityKey = "quantity";
-constexpr std::array<const char*, 2> kNames = {"visibility", "irradiance"};
+constexpr std::array<const char*, 2> kQuantityNames = {"visibility", "irradiance"};
 constexpr std::array<std::pair<const char*, const char*>, 4> kIrradiance = {
     {{"irradiance_ratio", "visibility"},
      {"irradiance_ratio_se", "visibility_se"},
@@ -22,14 +22,14 @@ constexpr std::array<std::pair<const char*, const char*>, 4> kIrradiance = {
 }  // namespace
 
 ShadowQuantity parse_shadow_quantity(std::string_view text) {
-  const auto found = std::ranges::find(kNames, text);
-  if (found != kNames.end()) return static_cast<ShadowQuantity>(found - kNames.begin());
-  const std::vector<std::string> known(kNames.begin(), kNames.end());
+  const auto found = std::ranges::find(kQuantityNames, text);
+  if (found != kQuantityNames.end()) return static_cast<ShadowQuantity>(found - kQuantityNames.begin());
+  const std::vector<std::string> known(kQuantityNames.begin(), kQuantityNames.end());
   fail_input(fmt::format("unknown quantity '{}'", text), {}, suggest_name(std::string(text), known));
 }
 
 std::string_view to_text(ShadowQuantity quantity) {
-  return kNames[static_cast<size_t>(quantity)];
+  return kQuantityNames[static_cast<size_t>(quantity)];
 }
 
 ShadowQuantity quantity_of(const Image& picture) {

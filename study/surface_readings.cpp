@@ -18,7 +18,7 @@ constexpr double kSamePlace = 1e-3;    // of the distance to the origin of rays,
 constexpr double kFits = 0.95;         // of the samples: this reading is what was meant
 constexpr double kDoesNotFit = 0.5;    // of the samples: that one is not
 constexpr size_t kMostSamples = 2000;  // that readings are compared on
-constexpr std::array kUnits = {1.0, 0.01, 0.001, 100.0, 1000.0, 0.0254, 0.3048, 0.1, 10.0};
+constexpr std::array kLengthUnits = {1.0, 0.01, 0.001, 100.0, 1000.0, 0.0254, 0.3048, 0.1, 10.0};
 
 /// What `unit` is called when ours are metres.
 std::string unit_name(double unit) {
@@ -87,7 +87,7 @@ std::vector<SurfaceSpace> all_spaces() {
   std::array<int, 3> axis = {0, 1, 2};
   do {
     for (int signs = 0; signs < 8; ++signs) {
-      for (const double unit : kUnits)
+      for (const double unit : kLengthUnits)
         all.push_back({axis, {signs & 1 ? -1 : 1, signs & 2 ? -1 : 1, signs & 4 ? -1 : 1}, unit});
     }
   } while (std::ranges::next_permutation(axis).found);
@@ -154,7 +154,7 @@ std::optional<std::string> better_depth(const EngineSurfaces& surfaces, const Su
   if (share(reading.depth, reading.space.unit) >= kDoesNotFit) return std::nullopt;
   for (const DepthKind kind :
        {reading.depth, reading.depth == DepthKind::axis ? DepthKind::ray : DepthKind::axis}) {
-    for (const double unit : kUnits) {
+    for (const double unit : kLengthUnits) {
       if (share(kind, unit) < kFits) continue;
       std::string options = fmt::format("--depth {}", kind == DepthKind::axis ? "axis" : "ray");
       if (unit != 1.0) options += fmt::format(" --unit {:g}", unit);

@@ -19,7 +19,7 @@ constexpr double kGolden = 0.6180339887498949;
 constexpr double kAside_px = 3.0 + kGolden;
 constexpr double kUp_px = std::numbers::sqrt2;
 constexpr double kLightStep = 0.01 * kGolden;
-constexpr int kSeeds = 3;
+constexpr int kTemporalSeeds = 3;
 
 constexpr std::array kReferenceChannels = {
     "half_a",   "half_b",   "position.x", "position.y",   "position.z",
@@ -103,7 +103,7 @@ std::optional<double> seed_noise(const SceneContext& context, const TechniqueFra
                                  std::span<const uint8_t> mask) {
   std::vector<Image> tests;
   std::vector<const Image*> pointers = {&run.frame.image};
-  for (uint64_t k = 1; k < kSeeds; ++k) {
+  for (uint64_t k = 1; k < kTemporalSeeds; ++k) {
     const RenderRequest request = request_of(context, run, context.plan.picture.seed + k);
     tests.push_back(context.renderers.realtime.render(context.scene, request, context.progress).image);
   }

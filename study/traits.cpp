@@ -26,7 +26,7 @@ struct Limits {
   bool more_is_better = false;
 };
 
-constexpr std::array<Limits, kTraits> kLimits = {{
+constexpr std::array<Limits, kTraits> kTraitLimits = {{
     {0.001, 0.005, false},          // precise: mean absolute error that no penumbra explains
     {0.5, 0.2, true},               // soft: share of the penumbra that is neither lit nor dark
     {1.0 / 3.0, 2.0 / 3.0, false},  // anti_aliased: stairs relative to hard
@@ -214,7 +214,7 @@ std::string_view symbol_of(TraitVerdict verdict) {
 }
 
 TraitVerdict judge(Trait trait, double value) {
-  const Limits& limits = kLimits[static_cast<size_t>(trait)];
+  const Limits& limits = kTraitLimits[static_cast<size_t>(trait)];
   const double sign = limits.more_is_better ? -1.0 : 1.0;
   if (sign * value <= sign * limits.yes) return TraitVerdict::yes;
   return sign * value <= sign * limits.partly ? TraitVerdict::partly : TraitVerdict::no;

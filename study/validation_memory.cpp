@@ -16,7 +16,7 @@
 namespace umbrameter {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 std::string unlit_key(const std::string& reference, const Makers& makers) {
@@ -177,7 +177,7 @@ bool ValidationMemory::recall_verdict(const TechniqueFrame& baseline, TechniqueF
 }
 
 void ValidationMemory::remember_verdict(const TechniqueFrame& baseline, const TechniqueFrame& run) {
-  Json json;
+  OrderedJson json;
   add_judgement({.significance = {}, .verdict = run.result.judgement.verdict, .limit = {}}, json);
   store_.store().put({verdict_key(run.key, baseline.key), EntryKind::verdict, json.dump()});
 }

@@ -12,7 +12,7 @@
 namespace umbrameter {
 namespace {
 
-constexpr float kPanelWidth_px = 400.0f;
+constexpr float kControlsWidth_px = 400.0f;
 constexpr float kLabelGap_px = 8.0f;
 constexpr ImU32 kInk = IM_COL32(240, 242, 246, 255), kShade = IM_COL32(16, 19, 24, 190),
                 kProblem = IM_COL32(150, 22, 32, 235), kDivider = IM_COL32(224, 160, 0, 255);
@@ -73,7 +73,7 @@ void draw_map_legend(float left, float bottom, const Drawing* drawing) {
 
 void LiveView::lay_out() {
   const ImVec2 window = ImGui::GetIO().DisplaySize;
-  area_ = {0.0f, 0.0f, std::max(window.x - (has_panel_ ? kPanelWidth_px : 0.0f), 16.0f),
+  area_ = {0.0f, 0.0f, std::max(window.x - (has_panel_ ? kControlsWidth_px : 0.0f), 16.0f),
            std::max(window.y, 16.0f)};
   set_size(state_, static_cast<int>(area_.width), static_cast<int>(area_.height));
 }
@@ -202,7 +202,7 @@ void LiveView::draw_notes() {
 
 void LiveView::draw_panel() {
   ImGui::SetNextWindowPos({area_.left + area_.width, 0});
-  ImGui::SetNextWindowSize({kPanelWidth_px, ImGui::GetIO().DisplaySize.y});
+  ImGui::SetNextWindowSize({kControlsWidth_px, ImGui::GetIO().DisplaySize.y});
   constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                                       ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                                       ImGuiWindowFlags_NoBringToFrontOnFocus;

@@ -10,7 +10,7 @@ namespace umbrameter {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using WallClock = std::chrono::steady_clock;
 
 struct Measured {
   double query_ms = 0.0;
@@ -20,12 +20,12 @@ struct Measured {
 Measured measure(const std::function<void()>& work) {
   const Query query = make_query(GL_TIME_ELAPSED);
   glFinish();
-  const Clock::time_point start = Clock::now();
+  const WallClock::time_point start = WallClock::now();
   glBeginQuery(GL_TIME_ELAPSED, query.id());
   work();
   glEndQuery(GL_TIME_ELAPSED);
   glFinish();
-  const double wall_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+  const double wall_ms = std::chrono::duration<double, std::milli>(WallClock::now() - start).count();
   GLuint64 nanoseconds = 0;
   glGetQueryObjectui64v(query.id(), GL_QUERY_RESULT, &nanoseconds);
   return {static_cast<double>(nanoseconds) * 1e-6, wall_ms};

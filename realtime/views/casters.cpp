@@ -14,14 +14,14 @@ namespace {
 constexpr double kSlack = 1e-4;
 
 /// Nothing with dot(plane, (p_world, 1)) < 0 at all its points is drawn.
-using Planes = std::vector<glm::dvec4>;
+using ClipPlanes = std::vector<glm::dvec4>;
 
 /// w >= 0, -w <= x <= w, -w <= y <= w, and with clipped depth 0 <= z <= w.
-Planes clip_planes(const LightView& view, bool clamps_depth) {
+ClipPlanes clip_planes(const LightView& view, bool clamps_depth) {
   const glm::dmat4 rows =
       glm::transpose(glm::dmat4(view.clip_from_light) * glm::dmat4(view.light_from_world));
   const glm::dvec4 x = rows[0], y = rows[1], z = rows[2], w = rows[3];
-  Planes planes{w, w + x, w - x, w + y, w - y};
+  ClipPlanes planes{w, w + x, w - x, w + y, w - y};
   if (!clamps_depth) planes.insert(planes.end(), {z, w - z});
   return planes;
 }
@@ -65,7 +65,7 @@ std::vector<CasterCluster> make_caster_clusters(const Scene& scene) {
 
 std::vector<TriangleRange> casters_in_view(std::span<const CasterCluster> clusters, const LightView& view,
                                            bool clamps_depth) {
-  const Planes planes = clip_planes(view, clamps_depth);
+  const ClipPlanes planes = clip_planes(view, clamps_depth);
   std::vector<TriangleRange> ranges;
   for (const CasterCluster& cluster : clusters) {
     if (std::ranges::any_of(planes, [&](const glm::dvec4& plane) { return is_behind(plane, cluster); }))

@@ -11,8 +11,8 @@ namespace umbrameter {
 namespace {
 
 /// dot(plane, (p, 1)) >= 0 is kept.
-using Planes = std::array<glm::dvec4, 5>;
-constexpr size_t kMaxCorners = 3 + std::tuple_size_v<Planes>;
+using SidePlanes = std::array<glm::dvec4, 5>;
+constexpr size_t kMaxCorners = 3 + std::tuple_size_v<SidePlanes>;
 
 struct Polygon {
   std::array<glm::dvec3, kMaxCorners> corners;
@@ -37,7 +37,7 @@ Polygon clipped(const Polygon& polygon, const glm::dvec4& plane) {
   return result;
 }
 
-double nearest_inside(const std::array<glm::dvec3, 3>& triangle, const Planes& planes, double nearest) {
+double nearest_inside(const std::array<glm::dvec3, 3>& triangle, const SidePlanes& planes, double nearest) {
   for (const glm::dvec4& plane : planes) {
     if (std::all_of(triangle.begin(), triangle.end(), [&](const auto& p) { return side(plane, p) < 0.0; })) {
       return nearest;
@@ -50,7 +50,7 @@ double nearest_inside(const std::array<glm::dvec3, 3>& triangle, const Planes& p
   return nearest;
 }
 
-double nearest_caster(const Scene& scene, const glm::dmat4& light_from_world, const Planes& planes,
+double nearest_caster(const Scene& scene, const glm::dmat4& light_from_world, const SidePlanes& planes,
                       double far) {
   const glm::dvec4 z_row(light_from_world[0][2], light_from_world[1][2], light_from_world[2][2],
                          light_from_world[3][2]);
@@ -74,17 +74,17 @@ double nearest_caster(const Scene& scene, const glm::dmat4& light_from_world, co
 
 double nearest_caster_perspective(const Scene& scene, const glm::dmat4& light_from_world,
                                   const LateralBounds& bounds, double floor, double far) {
-  const Planes planes{glm::dvec4(0, 0, 1, -floor), glm::dvec4(1, 0, -bounds.min.x, 0),
-                      glm::dvec4(-1, 0, bounds.max.x, 0), glm::dvec4(0, 1, -bounds.min.y, 0),
-                      glm::dvec4(0, -1, bounds.max.y, 0)};
+  const SidePlanes planes{glm::dvec4(0, 0, 1, -floor), glm::dvec4(1, 0, -bounds.min.x, 0),
+                          glm::dvec4(-1, 0, bounds.max.x, 0), glm::dvec4(0, 1, -bounds.min.y, 0),
+                          glm::dvec4(0, -1, bounds.max.y, 0)};
   return nearest_caster(scene, light_from_world, planes, far);
 }
 
 double nearest_caster_orthographic(const Scene& scene, const glm::dmat4& light_from_world,
                                    const LateralBounds& bounds, double far) {
-  const Planes planes{glm::dvec4(0, 0, 0, 1), glm::dvec4(1, 0, 0, -bounds.min.x),
-                      glm::dvec4(-1, 0, 0, bounds.max.x), glm::dvec4(0, 1, 0, -bounds.min.y),
-                      glm::dvec4(0, -1, 0, bounds.max.y)};
+  const SidePlanes planes{glm::dvec4(0, 0, 0, 1), glm::dvec4(1, 0, 0, -bounds.min.x),
+                          glm::dvec4(-1, 0, 0, bounds.max.x), glm::dvec4(0, 1, 0, -bounds.min.y),
+                          glm::dvec4(0, -1, 0, bounds.max.y)};
   return nearest_caster(scene, light_from_world, planes, far);
 }
 

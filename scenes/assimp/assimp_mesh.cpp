@@ -36,9 +36,10 @@ bool is_finite(const aiVector3D& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-class Reader {
+class AssimpReader {
  public:
-  Reader(const std::filesystem::path& path, const MeshFilter& filter, std::vector<std::string>& warnings)
+  AssimpReader(const std::filesystem::path& path, const MeshFilter& filter,
+               std::vector<std::string>& warnings)
       : path_(path), names_(filter), warnings_(warnings) {}
 
   MeshData read() {
@@ -172,7 +173,7 @@ bool is_read_by_assimp(const std::string& name) {
 
 MeshData load_assimp_mesh(const std::filesystem::path& path, const MeshFilter& filter,
                           std::vector<std::string>& warnings) {
-  return Reader(path, filter, warnings).read();
+  return AssimpReader(path, filter, warnings).read();
 }
 
 }  // namespace umbrameter

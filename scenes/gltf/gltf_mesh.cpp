@@ -30,9 +30,9 @@ std::vector<glm::uvec3> triangles_of(int mode, const std::vector<uint32_t>& indi
   return triangles;
 }
 
-class Reader {
+class GltfReader {
  public:
-  Reader(const GltfFile& file, const MeshFilter& filter, std::vector<std::string>& warnings)
+  GltfReader(const GltfFile& file, const MeshFilter& filter, std::vector<std::string>& warnings)
       : file_(file), model_(*file.model), names_(filter), warnings_(warnings) {}
 
   MeshData read() {
@@ -172,7 +172,7 @@ class Reader {
 }  // namespace
 
 MeshData load_gltf_mesh(const GltfFile& file, const MeshFilter& filter, std::vector<std::string>& warnings) {
-  return Reader(file, filter, warnings).read();
+  return GltfReader(file, filter, warnings).read();
 }
 
 }  // namespace umbrameter

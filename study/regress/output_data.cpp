@@ -12,9 +12,9 @@
 namespace umbrameter {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Json numbers_json(const std::optional<BaselineRun>& run) {
+OrderedJson numbers_json(const std::optional<BaselineRun>& run) {
   if (!run) return nullptr;
   const CaseNumbers& n = run->numbers;
   return {{"mse", interval_json(n.mse)}, {"rmse", interval_json(rmse_of(n))}, {"noise_sd", n.noise_sd},
@@ -22,19 +22,19 @@ Json numbers_json(const std::optional<BaselineRun>& run) {
           {"device", run->device},       {"parameters", run->parameters}};
 }
 
-Json gate_json(const GateVerdict& gate) {
-  Json measures = Json::array();
+OrderedJson gate_json(const GateVerdict& gate) {
+  OrderedJson measures = OrderedJson::array();
   for (const GateMeasure& m : gate.measures) {
     measures.push_back({{"class", name_of(m.kind)},
                         {"value", optional_json(m.value)},
                         {"baseline", optional_json(m.baseline)},
                         {"allowed", m.allowed},
-                        {"severity", m.value ? Json(m.severity()) : Json(nullptr)}});
+                        {"severity", m.value ? OrderedJson(m.severity()) : OrderedJson(nullptr)}});
   }
   return measures;
 }
 
-Json case_json(const RegressCase& one) {
+OrderedJson case_json(const RegressCase& one) {
   return {{"scene", one.scene},
           {"label", one.label},
           {"outcome", name_of(one.verdict.outcome)},
@@ -71,8 +71,8 @@ std::string xml_escaped(const std::string& text) {
 
 // Bytes that are no UTF-8 would make the file unreadable; JSON's writer replaces them.
 std::string as_utf8(const std::string& text) {
-  const std::string written = Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
-  return Json::parse(written).get<std::string>();
+  const std::string written = OrderedJson(text).dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
+  return OrderedJson::parse(written).get<std::string>();
 }
 
 std::string xml_text(const std::string& text) {
@@ -97,7 +97,7 @@ std::string test_case(const RegressCase& one) {
 }  // namespace
 
 std::string regress_json(const RegressResults& results) {
-  Json cases = Json::array(), scenes = Json::array();
+  OrderedJson cases = OrderedJson::array(), scenes = OrderedJson::array();
   for (const RegressCase& one : results.cases) cases.push_back(case_json(one));
   for (const RegressScene& scene : results.scenes) {
     scenes.push_back({{"name", scene.name},

@@ -12,7 +12,7 @@
 namespace umbrameter {
 namespace {
 
-constexpr int kSeeds = 3;  // pictures of a technique that a failure must hold for
+constexpr int kPicturesPerFailure = 3;  // pictures of a technique that a failure must hold for
 
 CaseVerdict judge(const Measured& measured, const RunWork& run, const BaselineRun& before,
                   const RegressGates& gates, bool is_same_device) {
@@ -81,9 +81,9 @@ RegressCase check_run(const SceneWork& work, RunWork& run, const BaselineScene* 
     out.verdict =
         out.before ? judge(measured, run, *out.before, work.plan.gates, is_same_device) : *measured.voided;
     const bool is_out_of_budget = truth.samples() >= work.plan.most_samples_per_pixel &&
-                                  static_cast<int>(run.pictures.size()) >= kSeeds;
+                                  static_cast<int>(run.pictures.size()) >= kPicturesPerFailure;
     if (is_settled(out.verdict, work.plan.gates) || measured.voided || is_out_of_budget) break;
-    if (static_cast<int>(run.pictures.size()) < kSeeds) add_picture(work, run);
+    if (static_cast<int>(run.pictures.size()) < kPicturesPerFailure) add_picture(work, run);
     wanted = std::min(2 * truth.samples(), work.plan.most_samples_per_pixel);
   }
   out.samples_per_pixel = truth.samples();
@@ -146,7 +146,7 @@ RegressCase measure_run(const SceneWork& work, RunWork& run, const Truth& truth)
   RegressCase out;
   out.scene = work.job.name;
   out.label = run.described.label;
-  while (!run.failure && run.pictures.size() < kSeeds) add_picture(work, run);
+  while (!run.failure && run.pictures.size() < kPicturesPerFailure) add_picture(work, run);
   Measured measured = measure(work, run, truth.image(), 0.0);
   out.samples_per_pixel = truth.samples();
   out.pictures = static_cast<int>(run.pictures.size());

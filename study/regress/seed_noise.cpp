@@ -9,18 +9,18 @@
 namespace umbrameter {
 namespace {
 
-constexpr int kTile_px = 32;
+constexpr int kNoiseTile_px = 32;
 
 std::vector<double> tile_sums(const Image& picture, const Image& truth, std::span<const uint8_t> mask) {
   const auto v = picture.plane("visibility");
   const auto a = truth.plane("half_a"), b = truth.plane("half_b");
   const auto width = static_cast<size_t>(truth.width);
-  const size_t columns = (width + kTile_px - 1) / kTile_px;
-  const size_t rows = (static_cast<size_t>(truth.height) + kTile_px - 1) / kTile_px;
+  const size_t columns = (width + kNoiseTile_px - 1) / kNoiseTile_px;
+  const size_t rows = (static_cast<size_t>(truth.height) + kNoiseTile_px - 1) / kNoiseTile_px;
   std::vector<double> sums(columns * rows, 0.0);
   for (size_t i = 0; i < mask.size(); ++i) {
     if (mask[i] == 0) continue;
-    const size_t tile = (i / width / kTile_px) * columns + i % width / kTile_px;
+    const size_t tile = (i / width / kNoiseTile_px) * columns + i % width / kNoiseTile_px;
     sums[tile] += (static_cast<double>(v[i]) - a[i]) * (static_cast<double>(v[i]) - b[i]);
   }
   return sums;

@@ -15,7 +15,7 @@
 namespace umbrameter {
 namespace {
 
-constexpr std::array<std::pair<const char*, GateLimit GateLimits::*>, 8> kLimits = {
+constexpr std::array<std::pair<const char*, GateLimit GateLimits::*>, 8> kGateLimitNames = {
     {{"fault", &GateLimits::fault},
      {"resolution", &GateLimits::resolution},
      {"softness", &GateLimits::softness},
@@ -44,7 +44,7 @@ GateLimit read_limit(const TomlNode& table, const std::string& name, const GateL
 GateLimits read_worse_by(const TomlNode& table) {
   TomlReader reader(table, "[gates.worse_by]");
   GateLimits limits;
-  for (const auto& [name, member] : kLimits) {
+  for (const auto& [name, member] : kGateLimitNames) {
     if (const TomlNode* node = reader.find(name)) limits.*member = read_limit(*node, name, limits.*member);
   }
   reader.finish();

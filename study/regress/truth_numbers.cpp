@@ -14,7 +14,7 @@ namespace {
 /// Beyond noise: sums of floats in another order.
 constexpr double kRounding = 1e-6;
 
-struct Sum {
+struct TruthSum {
   double value = 0.0, variance = 0.0;
   void add(double v, double sd) {
     value += v;
@@ -38,7 +38,7 @@ TruthNumbers truth_numbers(const Image& truth, const std::string& device, uint64
   const auto v = truth.plane("visibility"), a = truth.plane("half_a"), b = truth.plane("half_b");
   const auto se = truth.plane("visibility_se"), samples = truth.plane("sample_count");
   const auto primitive = truth.plane("primitive_id");
-  Sum visibility, penumbra;
+  TruthSum visibility, penumbra;
   double count = 0.0, sample_sum = 0.0;
   for (size_t i = 0; i < v.size(); ++i) {
     if (primitive[i] < 0.0f) continue;

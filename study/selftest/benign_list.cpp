@@ -8,17 +8,17 @@
 namespace umbrameter {
 namespace {
 
-const TechniqueChoice kSoft = soft_shadows();
+const TechniqueChoice kBenignSoft = soft_shadows();
 
 Trial against_soft(Image picture) {
   Trial trial;
   trial.picture = std::move(picture);
-  trial.baseline = kSoft;
+  trial.baseline = kBenignSoft;
   return trial;
 }
 
 MakeTrial other_parameters(const ParameterValues& parameters) {
-  return [parameters](Stage& stage) { return against_soft(stage.picture(with(kSoft, parameters))); };
+  return [parameters](Stage& stage) { return against_soft(stage.picture(with(kBenignSoft, parameters))); };
 }
 
 MakeTrial painted_on_exact(Injected (*paint)(const Canvas&)) {
@@ -32,7 +32,7 @@ MakeTrial painted_on_exact(Injected (*paint)(const Canvas&)) {
 }
 
 Trial other_truth(Stage& stage) {
-  Trial trial = against_soft(stage.picture(kSoft, stage.seed() + 1));
+  Trial trial = against_soft(stage.picture(kBenignSoft, stage.seed() + 1));
   trial.truth = stage.exact();
   return trial;
 }
@@ -51,8 +51,8 @@ Trial exact(Stage& stage) {
 }
 
 Trial with_jitter(Stage& stage) {
-  const Image& picture = stage.picture(kSoft);
-  return against_soft(jitter({picture, stage.truth(), stage.examined(kSoft).mask}).picture);
+  const Image& picture = stage.picture(kBenignSoft);
+  return against_soft(jitter({picture, stage.truth(), stage.examined(kBenignSoft).mask}).picture);
 }
 
 // Where no blocker but the receiver's own plane cuts the larger light there is no penumbra to widen.
@@ -69,7 +69,7 @@ Trial with_larger_light(Stage& stage) {
 
 // So little of the light's distance moves shadows by less than a texel of the map.
 Trial with_light_nudged(Stage& stage) {
-  return against_soft(stage.picture_of_shadows(kSoft, with_light_moved(stage.scene(), 5e-4)));
+  return against_soft(stage.picture_of_shadows(kBenignSoft, with_light_moved(stage.scene(), 5e-4)));
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ CauseCase of_light(const std::string& name, const std::string& scene, double fac
   return {name, scene, {filter_size}, soft_shadows(), {}, {}, light_scaled(factor)};
 }
 
-CauseCase bias_gone(const std::string& scene) {
+CauseCase cause_no_bias(const std::string& scene) {
   return of_parameters("bias x 0", scene, bias, biased_shadows(),
                        {{"bias_texels", 0.0}, {"normal_offset_texels", 0.0}});
 }
@@ -24,17 +24,17 @@ CauseCase map_too_coarse(const std::string& scene) {
   return of_parameters("map too coarse", scene, map_size, soft_shadows(), {{"map_size", int64_t{128}}});
 }
 
-CauseCase filter_too_wide(const std::string& scene) {
+CauseCase cause_wide_filter(const std::string& scene) {
   return of_parameters("filter four times too wide", scene, filter_size, fixed_filter(),
                        {{"radius_texels", 32.0}});
 }
 
-CauseCase variance_too_wide(const std::string& scene) {
+CauseCase cause_wide_variance(const std::string& scene) {
   return of_parameters("variance filter five times too wide", scene, filter_size, variance_shadows(),
                        {{"filter_width_texels", 45.0}});
 }
 
-CauseCase few_taps(const std::string& scene) {
+CauseCase cause_few_taps(const std::string& scene) {
   return of_parameters("few taps", scene, taps, soft_shadows(), {{"filter_taps", int64_t{4}}});
 }
 
@@ -55,7 +55,7 @@ CauseCase search_too_near(const std::string& scene) {
 }  // namespace
 
 std::vector<CauseCase> cause_list() {
-  return {bias_gone("box_contact"), bias_gone("slanted_plane"), bias_gone("colonnade"),
+  return {cause_no_bias("box_contact"), cause_no_bias("slanted_plane"), cause_no_bias("colonnade"),
           of_parameters("bias x 10", "colonnade", bias, with(biased_shadows(), {{"bias_world", 0.03}}),
                         {{"bias_world", 0.3}}),
           of_parameters("normal offset x 10", "colonnade", bias, biased_shadows(),
@@ -69,9 +69,9 @@ std::vector<CauseCase> cause_list() {
           of_light("light twice too large", "colonnade", 2.0),
           of_parameters("kernel in texels", "half_plane", filter_size,
                         with(fixed_filter(), {{"radius_texels", 32.0}}), {{"radius_texels", 8.0}}),
-          filter_too_wide("box_contact"), filter_too_wide("colonnade"), filter_too_wide("contact_hardening"),
-          variance_too_wide("box_contact"), variance_too_wide("colonnade"), few_taps("half_plane"),
-          few_taps("contact_hardening"),
+          cause_wide_filter("box_contact"), cause_wide_filter("colonnade"),
+          cause_wide_filter("contact_hardening"), cause_wide_variance("box_contact"),
+          cause_wide_variance("colonnade"), cause_few_taps("half_plane"), cause_few_taps("contact_hardening"),
           of_parameters("few taps, no noise", "half_plane", taps, soft_shadows(),
                         {{"filter_taps", int64_t{6}}, {"noise", false}}),
           map_too_coarse("colonnade"), map_too_coarse("fence"), map_too_coarse("box_contact"),

@@ -17,7 +17,7 @@
 namespace umbrameter {
 namespace {
 
-constexpr double kSamePlace = 1e-3;  // of the distance to the eye
+constexpr double kSameSurface = 1e-3;  // of the distance to the eye
 constexpr std::array kShadowChannels = {"visibility",
                                         "visibility_se",
                                         "half_a",
@@ -54,7 +54,7 @@ Image with_shadows_of(const Image& from, Image onto, const glm::dvec3& eye_world
     const std::span<float> target = onto.plane(channel);
     for (size_t i = 0; i < target.size(); ++i) {
       const glm::dvec3 p_world = place(onto, i);
-      if (glm::distance(place(from, i), p_world) <= kSamePlace * glm::distance(eye_world, p_world))
+      if (glm::distance(place(from, i), p_world) <= kSameSurface * glm::distance(eye_world, p_world))
         target[i] = source[i];
     }
   }

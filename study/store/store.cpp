@@ -19,8 +19,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array<std::string_view, 7> kKinds{"run",   "reference", "parity", "verdict",
-                                                 "scene", "device",    "page"};
+constexpr std::array<std::string_view, 7> kEntryKinds{"run",   "reference", "parity", "verdict",
+                                                      "scene", "device",    "page"};
 
 /// Checked and repaired before anything is opened.
 fs::path prepared(const fs::path& folder, Database::Mode mode, std::vector<std::string>& warnings) {
@@ -44,13 +44,13 @@ std::pair<std::string, std::string> stamp_of(const fs::path& file) {
 }  // namespace
 
 std::string_view to_text(EntryKind kind) {
-  return kKinds[static_cast<size_t>(kind)];
+  return kEntryKinds[static_cast<size_t>(kind)];
 }
 
 std::optional<EntryKind> read_kind(std::string_view text) {
-  const auto found = std::ranges::find(kKinds, text);
-  if (found == kKinds.end()) return std::nullopt;
-  return static_cast<EntryKind>(found - kKinds.begin());
+  const auto found = std::ranges::find(kEntryKinds, text);
+  if (found == kEntryKinds.end()) return std::nullopt;
+  return static_cast<EntryKind>(found - kEntryKinds.begin());
 }
 
 bool has_store(const fs::path& folder) {

@@ -9,7 +9,7 @@
 
 namespace umbrameter {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 const StressCell* JournalState::find(const std::string& row, size_t value) const {
   const auto found = std::ranges::find_if(
@@ -21,7 +21,7 @@ JournalState read_journal(const std::filesystem::path& file) {
   JournalState state;
   std::ifstream in(file);
   for (std::string line; std::getline(in, line);) {
-    const Json json = Json::parse(line, nullptr, false);
+    const OrderedJson json = OrderedJson::parse(line, nullptr, false);
     if (json.is_discarded()) continue;
     if (json.contains("start")) {
       state.open = StressTask{json.at("start"), json.at("value")};
@@ -46,8 +46,8 @@ void JournalWriter::finish(const StressCell& cell) {
   write(cell_json(cell));
 }
 
-void JournalWriter::write(const Json& line) {
-  file_ << line.dump(-1, ' ', false, Json::error_handler_t::replace) << std::endl;
+void JournalWriter::write(const OrderedJson& line) {
+  file_ << line.dump(-1, ' ', false, OrderedJson::error_handler_t::replace) << std::endl;
   if (!file_) fail_environment(fmt::format("'{}' cannot be written", path_.string()), "is the disk full?");
 }
 

@@ -10,7 +10,7 @@ namespace umbrameter {
 namespace {
 
 // Pictures are a few tiles of the default size wide, which would leave no interval.
-constexpr int kTile_px = 8;
+constexpr int kJudgeTile_px = 8;
 
 std::optional<Interval> rmse_of(const StressMeasure& measure) {
   return measure.run.error ? measure.run.error->rmse : std::nullopt;
@@ -51,7 +51,7 @@ StressMeasure measure_stress(const Image& picture, const Image& reference, const
     out.run.parity_passes = score.parity.passes;
     out.run.is_other_light = score.parity.is_other_light;
     if (!score.error) return;
-    out.run.error = measure_visibility_error(picture, reference, score.mask, {.tile_px = kTile_px});
+    out.run.error = measure_visibility_error(picture, reference, score.mask, {.tile_px = kJudgeTile_px});
     out.scored_pixels = out.run.error->scored_pixels;
   });
   out.run.diagnosis = score.diagnosis;

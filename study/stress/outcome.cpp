@@ -13,7 +13,7 @@
 namespace umbrameter {
 namespace {
 
-constexpr std::array<std::string_view, kStressOutcomes> kNames = {
+constexpr std::array<std::string_view, kStressOutcomes> kOutcomeNames = {
     "ok",       "worse",    "other_surfaces", "nothing",   "rightly_refused", "refused",     "not_applicable",
     "unjudged", "accepted", "wrong_truth",    "bad_value", "gl_error",        "environment", "bug",
     "crash",    "hang"};
@@ -25,13 +25,13 @@ bool holds(const std::string& text, std::string_view part) {
 }  // namespace
 
 std::string_view name_of(StressOutcome outcome) {
-  return kNames[static_cast<size_t>(outcome)];
+  return kOutcomeNames[static_cast<size_t>(outcome)];
 }
 
 StressOutcome stress_outcome(std::string_view name) {
-  const auto found = std::ranges::find(kNames, name);
-  UMBRAMETER_ASSERT(found != kNames.end(), "no outcome is called '{}'", name);
-  return static_cast<StressOutcome>(found - kNames.begin());
+  const auto found = std::ranges::find(kOutcomeNames, name);
+  UMBRAMETER_ASSERT(found != kOutcomeNames.end(), "no outcome is called '{}'", name);
+  return static_cast<StressOutcome>(found - kOutcomeNames.begin());
 }
 
 bool breaks_rules(StressOutcome outcome) {

@@ -7,10 +7,10 @@
 namespace umbrameter {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Json axis_json(const StressAxis& axis) {
-  Json values = Json::array();
+OrderedJson axis_json(const StressAxis& axis) {
+  OrderedJson values = OrderedJson::array();
   for (const StressValue& value : axis.values) values.push_back(value.text);
   return {{"name", axis.name},
           {"unit", axis.unit},
@@ -19,12 +19,12 @@ Json axis_json(const StressAxis& axis) {
           {"nominal", axis.nominal}};
 }
 
-Json break_json(const std::optional<StressBreak>& end, const StressAxis& axis) {
+OrderedJson break_json(const std::optional<StressBreak>& end, const StressAxis& axis) {
   if (!end) return nullptr;
   return {{"value", axis.values[end->value].text}, {"outcome", name_of(end->outcome)}, {"how", end->how}};
 }
 
-Json range_json(const StressRange& range, const StressAxis& axis) {
+OrderedJson range_json(const StressRange& range, const StressAxis& axis) {
   if (!range.applies)
     return {{"axis", range.axis}, {"row", range.row}, {"applies", false}, {"why_not", range.why_not}};
   return {{"axis", range.axis},
@@ -41,7 +41,8 @@ Json range_json(const StressRange& range, const StressAxis& axis) {
 }  // namespace
 
 std::string stress_json(const StressResults& results) {
-  Json axes = Json::array(), cells = Json::array(), ranges = Json::array(), violations = Json::array();
+  OrderedJson axes = OrderedJson::array(), cells = OrderedJson::array(), ranges = OrderedJson::array(),
+              violations = OrderedJson::array();
   for (const StressAxis& axis : results.plan.axes) {
     axes.push_back(axis_json(axis));
     for (const std::string& row : results.rows)

@@ -15,7 +15,7 @@
 namespace umbrameter {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 /// What a person would call the same run.
 std::string identity_of(const RunRecord& record) {
@@ -114,8 +114,8 @@ StoredRuns stored_runs(Store& store, bool all) {
 }
 
 std::string to_json_text(const StoredRuns& runs) {
-  Json list = Json::array();
-  for (const RunRecord& run : runs.runs) list.push_back(Json::parse(to_json_text(run)));
+  OrderedJson list = OrderedJson::array();
+  for (const RunRecord& run : runs.runs) list.push_back(OrderedJson::parse(to_json_text(run)));
   return dump({{"schema", kExportSchema}, {"older", runs.older}, {"foreign", runs.foreign}, {"runs", list}});
 }
 

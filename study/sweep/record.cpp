@@ -13,9 +13,9 @@
 namespace umbrameter {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Json head_json(const RecordHead& head, const std::string& status) {
+OrderedJson head_json(const RecordHead& head, const std::string& status) {
   return {{"scene", head.scene},
           {"camera", head.camera},
           {"scene_hash", head.scene_hash},
@@ -44,8 +44,8 @@ RecordHead read_head(const nlohmann::json& json) {
   return head;
 }
 
-std::string compact(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+std::string compact(const OrderedJson& json) {
+  return json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
 }
 
 }  // namespace
@@ -67,7 +67,7 @@ std::string status_of(const RunRecord& record) {
 }
 
 std::string to_json_text(const RunRecord& record) {
-  Json json = head_json(record.head, status_of(record));
+  OrderedJson json = head_json(record.head, status_of(record));
   json["reference"] = record.reference;
   json["baseline"] = record.baseline;
   json["baseline_times"] = times_json(record.baseline_times);
@@ -77,7 +77,7 @@ std::string to_json_text(const RunRecord& record) {
 }
 
 std::string to_json_text(const ReferenceRecord& record) {
-  Json json = head_json(record.head, "ok");
+  OrderedJson json = head_json(record.head, "ok");
   json["result"] = reference_json(record.result);
   return compact(json);
 }

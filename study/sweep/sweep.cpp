@@ -33,7 +33,7 @@ struct Baseline {
   std::optional<StoredPicture> picture;  // absent: not stored
 };
 
-struct Context {
+struct SweepContext {
   const SweepPlan& plan;
   std::span<const StudyScene> scenes;
   Renderers renderers;
@@ -50,13 +50,13 @@ LabelledRequest request_of(const SweepPlan& plan, const BenchRun& run) {
   return {run.technique.label, request_of(plan.picture, run.technique, run.seed)};
 }
 
-void report(Context& context, const std::string& what, const Failure& failure) {
+void report(SweepContext& context, const std::string& what, const Failure& failure) {
   const Failure named{failure.kind, fmt::format("{}: {}", what, failure.message)};
   context.outcome.failures.push_back(named);
   if (context.failed) context.failed(named);
 }
 
-void render_truth(Context& context, size_t scene, const std::string& key) {
+void render_truth(SweepContext& context, size_t scene, const std::string& key) {
   const StudyScene& job = context.scenes[scene];
   const PictureQuality& picture = context.plan.picture;
   const RenderRequest request = request_of(picture);
@@ -76,7 +76,7 @@ void render_truth(Context& context, size_t scene, const std::string& key) {
 }
 
 /// From the store if it may and can, else rendered.
-void require_truth(Context& context, size_t scene, const std::string& key) {
+void require_truth(SweepContext& context, size_t scene, const std::string& key) {
   if (context.truth.scene == scene) return;
   context.truth = {scene, std::nullopt, {}};
   auto known = context.plan.reuse ? find_truth(context.store, key) : std::nullopt;
@@ -85,7 +85,7 @@ void require_truth(Context& context, size_t scene, const std::string& key) {
 }
 
 /// The first frame, and when times are wanted those of more, in turn with the baseline's.
-Frame render_frames(Context& context, const PlanStep& step, size_t baseline, RunRecord& record) {
+Frame render_frames(SweepContext& context, const PlanStep& step, size_t baseline, RunRecord& record) {
   const SweepPlan& plan = context.plan;
   std::vector<LabelledRequest> requests{request_of(plan, plan.runs[*step.run])};
   if (plan.timing && baseline != *step.run) requests.push_back(request_of(plan, plan.runs[baseline]));
@@ -100,7 +100,7 @@ Frame render_frames(Context& context, const PlanStep& step, size_t baseline, Run
 }
 
 /// Counts which of the two is nearer to the truth.
-void judge(Context& context, const RunRecord& record, const StoredPicture& picture) {
+void judge(SweepContext& context, const RunRecord& record, const StoredPicture& picture) {
   Baseline& baseline = context.baseline;
   if (baseline.key != record.baseline)
     baseline = {record.baseline, find_picture(context.store, record.baseline)};
@@ -112,7 +112,7 @@ void judge(Context& context, const RunRecord& record, const StoredPicture& pictu
 }
 
 /// Notes why a run without failure says nothing.
-void check_measured(Context& context, const PlanStep& step, const std::optional<VisibilityError>& error,
+void check_measured(SweepContext& context, const PlanStep& step, const std::optional<VisibilityError>& error,
                     size_t scorable_pixels) {
   const std::optional<std::string> reason =
       error ? unmeasured(error->scored_pixels, scorable_pixels)
@@ -123,7 +123,7 @@ void check_measured(Context& context, const PlanStep& step, const std::optional<
       fmt::format("{}, {}: not measured: {}", full_name(context.scenes[step.scene]), label, *reason));
 }
 
-void render_run(Context& context, const PlanStep& step, const std::string& reference) {
+void render_run(SweepContext& context, const PlanStep& step, const std::string& reference) {
   const StudyScene& job = context.scenes[step.scene];
   const SweepPlan& plan = context.plan;
   const BenchRun& run = plan.runs[*step.run];
@@ -160,7 +160,7 @@ void render_run(Context& context, const PlanStep& step, const std::string& refer
 }
 
 /// Whether the run is in the store; its failure is reported again.
-bool take_stored(Context& context, const PlanStep& step) {
+bool take_stored(SweepContext& context, const PlanStep& step) {
   if (!context.plan.reuse) return false;
   const auto json = context.store.find(step.key);
   const auto stored = json ? parse_run_record(*json) : std::nullopt;
@@ -180,7 +180,7 @@ bool take_stored(Context& context, const PlanStep& step) {
   return true;
 }
 
-void do_run(Context& context, const PlanStep& step, const std::string& reference) {
+void do_run(SweepContext& context, const PlanStep& step, const std::string& reference) {
   if (step.action == StepAction::skip) {
     ++context.outcome.skipped;
     return;
@@ -212,7 +212,7 @@ SweepOutcome run_sweep(const SweepPlan& plan, std::span<const StudyScene> scenes
                                                      return step.run && step.action == StepAction::render;
                                                    })),
                  total_ms);
-  Context context{plan, scenes, renderers, store, scratch, ShareProgress(progress), failed, {}, {}, {}};
+  SweepContext context{plan, scenes, renderers, store, scratch, ShareProgress(progress), failed, {}, {}, {}};
   std::string reference;  // key, of the scene at hand
   for (const PlanStep& step : steps) {
     context.progress.start_share(milliseconds_of(step));

@@ -8,8 +8,8 @@
 namespace umbrameter {
 namespace {
 
-constexpr double kTolerance = 1e-3;         // of positions: reals have three digits
-constexpr double kImpossibleFactor = 10.0;  // NLopt's models want finite numbers
+constexpr double kPositionTolerance = 1e-3;  // of positions: reals have three digits
+constexpr double kImpossibleFactor = 10.0;   // NLopt's models want finite numbers
 constexpr int kMaxLineMoves = 4;
 
 struct Subspace {
@@ -44,7 +44,7 @@ void run(nlopt::algorithm algorithm, Subspace subspace, double first_step) {
   method.set_lower_bounds(0.0);
   method.set_upper_bounds(1.0);
   method.set_min_objective(value_in, &subspace);
-  method.set_xtol_abs(kTolerance);
+  method.set_xtol_abs(kPositionTolerance);
   // Values that are known already cost no evaluation: without this a method could ask for them for ever.
   method.set_maxeval(static_cast<int>(20 * (subspace.last_trial - subspace.trials.all().size()) + 100));
   if (first_step > 0.0) method.set_initial_step(first_step);

@@ -14,8 +14,8 @@
 namespace umbrameter {
 namespace {
 
-const std::array<std::string, 3> kNames = {"rmse", "penumbra", "faults"};
-constexpr std::array<std::string_view, 3> kUnits = {"visibility", "octaves", "weighted faults"};
+const std::array<std::string, 3> kTermNames = {"rmse", "penumbra", "faults"};
+constexpr std::array<std::string_view, 3> kTermUnits = {"visibility", "octaves", "weighted faults"};
 constexpr int kRounds = 1000;
 constexpr int kLeastRounds = 100;  // a bootstrap refuses fewer
 
@@ -84,18 +84,18 @@ std::optional<ObjectiveValue> measure_faults(const Image& test, const Image& ref
 }  // namespace
 
 Objective choose_objective(const std::string& name) {
-  for (size_t i = 0; i < kNames.size(); ++i) {
-    if (name == kNames[i]) return static_cast<Objective>(i);
+  for (size_t i = 0; i < kTermNames.size(); ++i) {
+    if (name == kTermNames[i]) return static_cast<Objective>(i);
   }
-  fail_input(fmt::format("unknown objective '{}'", name), {}, suggest_name(name, kNames));
+  fail_input(fmt::format("unknown objective '{}'", name), {}, suggest_name(name, kTermNames));
 }
 
 std::string_view name_of(Objective objective) {
-  return kNames[static_cast<size_t>(objective)];
+  return kTermNames[static_cast<size_t>(objective)];
 }
 
 std::string_view unit_of(Objective objective) {
-  return kUnits[static_cast<size_t>(objective)];
+  return kTermUnits[static_cast<size_t>(objective)];
 }
 
 std::optional<ObjectiveValue> measure_objective(Objective objective, const Image& test,

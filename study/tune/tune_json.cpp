@@ -11,34 +11,35 @@
 namespace umbrameter {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 /// JSON has no infinity.
-Json finite(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
+OrderedJson finite(double value) {
+  return std::isfinite(value) ? OrderedJson(value) : OrderedJson(nullptr);
 }
 
-Json score_json(const ViewScore& score) {
+OrderedJson score_json(const ViewScore& score) {
   return {{"view", score.view},
           {"held_out", score.is_held_out},
-          {"value", score.objective ? Json(score.objective->value) : Json(nullptr)},
+          {"value", score.objective ? OrderedJson(score.objective->value) : OrderedJson(nullptr)},
           {"interval", interval_json(score.objective ? score.objective->interval : std::nullopt)}};
 }
 
-Json candidate_json(const Candidate& candidate) {
-  Json scores = Json::array();
+OrderedJson candidate_json(const Candidate& candidate) {
+  OrderedJson scores = OrderedJson::array();
   for (const ViewScore& score : candidate.scores) scores.push_back(score_json(score));
-  return {{"name", candidate.name},
-          {"same_cost", candidate.same_cost},
-          {"ratio", finite(candidate.ratio)},
-          {"held_out_ratio", candidate.held_out_ratio ? finite(*candidate.held_out_ratio) : Json(nullptr)},
-          {"gain", interval_json(candidate.gain)},
-          {"held_out_gain", interval_json(candidate.held_out_gain)},
-          {"scores", scores},
-          {"parameters", parameters_json(candidate.values)}};
+  return {
+      {"name", candidate.name},
+      {"same_cost", candidate.same_cost},
+      {"ratio", finite(candidate.ratio)},
+      {"held_out_ratio", candidate.held_out_ratio ? finite(*candidate.held_out_ratio) : OrderedJson(nullptr)},
+      {"gain", interval_json(candidate.gain)},
+      {"held_out_gain", interval_json(candidate.held_out_gain)},
+      {"scores", scores},
+      {"parameters", parameters_json(candidate.values)}};
 }
 
-Json end_json(const SafeWindow& window, const std::optional<double>& end, double texel_world) {
+OrderedJson end_json(const SafeWindow& window, const std::optional<double>& end, double texel_world) {
   if (!end) return nullptr;
   if (window.kind == WindowKind::light_size) return *end;
   return {{"texels", optional_json(in_texels(window.unit, *end, texel_world))},
@@ -54,8 +55,9 @@ constexpr WindowNames kBiasNames{"acne_free_from", "peter_pan_free_to", "bias", 
 constexpr WindowNames kSizeNames{"hard_free_from", "soft_free_to", "scale", "too_hard_octaves",
                                  "too_soft_octaves"};
 
-Json window_json(const SafeWindow& window, double texel_world) {
-  Json value = Json::array(), objective = Json::array(), too_low = Json::array(), too_high = Json::array();
+OrderedJson window_json(const SafeWindow& window, double texel_world) {
+  OrderedJson value = OrderedJson::array(), objective = OrderedJson::array(), too_low = OrderedJson::array(),
+              too_high = OrderedJson::array();
   for (const WindowPoint& point : window.points) {
     value.push_back(point.value);
     objective.push_back(point.objective);
@@ -78,16 +80,16 @@ Json window_json(const SafeWindow& window, double texel_world) {
           {names.too_high, too_high}};
 }
 
-Json windows_json(const TuneResult& result, WindowKind kind) {
-  Json all = Json::array();
+OrderedJson windows_json(const TuneResult& result, WindowKind kind) {
+  OrderedJson all = OrderedJson::array();
   for (const SafeWindow& window : result.windows) {
     if (window.kind == kind) all.push_back(window_json(window, result.texel_world));
   }
   return all;
 }
 
-Json trials_json(const std::vector<Trial>& trials, const std::vector<std::string>& tuned) {
-  Json all = Json::array();
+OrderedJson trials_json(const std::vector<Trial>& trials, const std::vector<std::string>& tuned) {
+  OrderedJson all = OrderedJson::array();
   for (const Trial& trial : trials) {
     ParameterValues values;
     for (const std::string& name : tuned) values[name] = trial.values.at(name);
@@ -96,7 +98,7 @@ Json trials_json(const std::vector<Trial>& trials, const std::vector<std::string
   return all;
 }
 
-Json grid_json(const std::optional<GridCheck>& grid) {
+OrderedJson grid_json(const std::optional<GridCheck>& grid) {
   if (!grid) return nullptr;
   return {{"evaluations", grid->evaluations},
           {"best_ratio", finite(grid->best_ratio)},
@@ -106,7 +108,7 @@ Json grid_json(const std::optional<GridCheck>& grid) {
 }  // namespace
 
 std::string to_json_text(const TunePlan& plan, const TuneResult& result) {
-  Json others = Json::array(), sensitivities = Json::array();
+  OrderedJson others = OrderedJson::array(), sensitivities = OrderedJson::array();
   for (const Candidate& candidate : result.others) others.push_back(candidate_json(candidate));
   for (const Sensitivity& one : result.sensitivities) {
     sensitivities.push_back({{"parameter", one.parameter},
