@@ -30,7 +30,7 @@ std::string light_names(const Engine& engine) {
   return names;
 }
 
-int list_engines(const GlobalOptions& global) {
+int print_engines(const GlobalOptions& global) {
   OrderedJson engines = OrderedJson::array();
   std::vector<std::vector<std::string>> rows;
   for (const Engine& engine : list_engines(find_home().engines)) {
@@ -126,11 +126,11 @@ void add_engines(CLI::App& app, CommandLine& line) {
   verb->fallthrough();
   verb->require_subcommand(0, 1);
   verb->callback([&line, verb] {
-    if (verb->get_subcommands().empty()) line.verb = [&line] { return list_engines(line.global); };
+    if (verb->get_subcommands().empty()) line.verb = [&line] { return print_engines(line.global); };
   });
   CLI::App* list_verb = verb->add_subcommand("list", "the engines that ship, and whether they are installed");
   list_verb->fallthrough();
-  list_verb->callback([&line] { line.verb = [&line] { return list_engines(line.global); }; });
+  list_verb->callback([&line] { line.verb = [&line] { return print_engines(line.global); }; });
   CLI::App* show_verb = verb->add_subcommand("show", "one engine with its parameters and presets");
   show_verb->fallthrough();
   show_verb->add_option("engine", *name, "id or folder")->required();

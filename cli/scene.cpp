@@ -18,7 +18,7 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
-int list_scenes(const GlobalOptions& global) {
+int print_scenes(const GlobalOptions& global) {
   OrderedJson scenes = OrderedJson::array();
   std::vector<std::vector<std::string>> rows;
   for (const SceneEntry& entry : list_scenes(scene_search(global, find_home()))) {
@@ -138,7 +138,7 @@ void add_scene(CLI::App& app, CommandLine& line) {
   verb->require_subcommand(1);
   CLI::App* list_verb = verb->add_subcommand("list", "the scenes of the library");
   list_verb->fallthrough();
-  list_verb->callback([&line] { line.verb = [&line] { return list_scenes(line.global); }; });
+  list_verb->callback([&line] { line.verb = [&line] { return print_scenes(line.global); }; });
   CLI::App* check_verb = verb->add_subcommand("check", "load scenes and say what is in them");
   check_verb->fallthrough();
   check_verb->add_option("scene", *names, "library names or scene files")->required();

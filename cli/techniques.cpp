@@ -57,7 +57,7 @@ OrderedJson to_json(const Technique& technique) {
           {"presets", presets}};
 }
 
-int list_techniques(const GlobalOptions& global) {
+int print_techniques(const GlobalOptions& global) {
   OrderedJson techniques = OrderedJson::array();
   std::vector<std::vector<std::string>> rows;
   for (const Technique& technique : list_techniques(find_home().techniques)) {
@@ -165,11 +165,11 @@ void add_techniques(CLI::App& app, CommandLine& line) {
   verb->fallthrough();
   verb->require_subcommand(0, 1);
   verb->callback([&line, verb] {
-    if (verb->get_subcommands().empty()) line.verb = [&line] { return list_techniques(line.global); };
+    if (verb->get_subcommands().empty()) line.verb = [&line] { return print_techniques(line.global); };
   });
   CLI::App* list_verb = verb->add_subcommand("list", "the built-in techniques");
   list_verb->fallthrough();
-  list_verb->callback([&line] { line.verb = [&line] { return list_techniques(line.global); }; });
+  list_verb->callback([&line] { line.verb = [&line] { return print_techniques(line.global); }; });
   CLI::App* show_verb = verb->add_subcommand("show", "one technique with its parameters and presets");
   show_verb->fallthrough();
   show_verb->add_option("technique", *name, "id or folder")->required();
