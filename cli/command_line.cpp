@@ -50,7 +50,7 @@ void group_verbs(CLI::App& app) {
       {"Measure", {"validate", "score", "bench", "tune"}},
       {"Studies of many runs", {"plan", "sweep", "merge", "export", "report"}},
       {"Guard against regressions", {"regress", "stress", "selftest"}},
-      {"Look at one thing", {"view", "reference", "render", "scene", "techniques", "engines"}},
+      {"Look at one thing", {"view", "reference", "render", "scene", "techniques", "engines", "metrics"}},
       {"Help", {"doctor", "help"}}};
   for (const VerbGroup& group : groups) {
     for (const char* name : group.verbs) app.get_subcommand(name)->group(group.title);
@@ -87,6 +87,7 @@ std::optional<int> parse_command_line(int argc, const char* const* argv, CLI::Ap
   add_selftest(app, line);
   add_regress(app, line);
   add_stress(app, line);
+  add_metrics(app, line);
   add_doctor(app, line);
   add_help(app, line);
   group_verbs(app);

@@ -58,6 +58,7 @@ const Examples& all_examples() {
         "it\""}},
       {"regress prove", {"regress prove --scene plate"}},
       {"stress", {"stress --technique pcss --out map"}},
+      {"metrics", {"metrics"}},
       {"doctor", {"doctor"}},
       {"help", {"help validate", "help scene check"}}};
   return kExamples;

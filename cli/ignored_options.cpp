@@ -22,13 +22,13 @@ struct Ignored {
 const std::array<Ignored, 4>& ignored_options() {
   static const std::array<Ignored, 4> kIgnored = {
       {{"--out",
-        {"doctor", "help", "engines", "scene list", "scene check", "scene plan", "techniques list",
+        {"doctor", "help", "metrics", "engines", "scene list", "scene check", "scene plan", "techniques list",
          "techniques show", "techniques check", "regress record", "regress prove"}},
        {"--device",
-        {"merge", "export", "report", "help", "engines list", "engines show", "techniques list",
+        {"merge", "export", "report", "help", "metrics", "engines list", "engines show", "techniques list",
          "techniques show", "techniques doc", "scene list", "scene check", "scene import", "scene export"}},
        {"--threads",
-        {"plan", "render", "merge", "export", "report", "help", "engines", "techniques list",
+        {"plan", "render", "merge", "export", "report", "help", "metrics", "engines", "techniques list",
          "techniques show", "techniques doc", "techniques check", "techniques glsl", "scene list",
          "scene check", "scene plan", "scene import", "scene export"}},
        {"--json", {"help", "techniques doc"}}}};

@@ -6,6 +6,7 @@
 #include "cli/score_inputs.h"
 #include "cli/score_results.h"
 #include "cli/verbs.h"
+#include "study/catalogue.h"
 #include "study/diagnosis_format.h"
 #include "study/format.h"
 #include "study/judgement_format.h"
@@ -41,6 +42,18 @@ std::string term_lines(const TermLines& lines) {
   return text;
 }
 
+/// Every number of the group "error" but those of regions, which have lines of their own.
+std::string metric_lines(const Score& score) {
+  TechniqueResult result;
+  static_cast<Measures&>(result) = score;
+  TermLines lines;
+  for (const Metric& metric : metric_catalogue()) {
+    if (metric.group == "error" && !metric.key.ends_with(".rmse") && metric.of(result))
+      lines.emplace_back(metric.label + (metric.interval_of ? " [95 %]" : ""), format_metric(metric, result));
+  }
+  return term_lines(lines);
+}
+
 std::string quantity_line(const PictureScore& picture) {
   const char* name = picture.quantity == ShadowQuantity::visibility ? "visibility" : "irradiance ratio";
   if (picture.is_quantity_given || !picture.other_rmse) return fmt::format("quantity         {}\n", name);
@@ -59,13 +72,7 @@ std::string score_text(const PictureScore& picture) {
   if (!score.error) return text;
   const VisibilityError& error = *score.error;
   text += fmt::format("scored pixels    {} of {}\n", error.scored_pixels, score.scorable_pixels);
-  text += "RMSE [95 %]      " + format_interval(error.rmse) + "\n";
-  text += "lit RMSE         " + format_error(score.lit_rmse) + "\n";
-  text += "mean error       " + format_signed_error(error.bias) + "\n";
-  text += "mean |error|     " + format_error(error.mae) + "\n";
-  text += "over-shadowing   " + format_error(error.over_shadowing) + "\n";
-  text += "under-shadowing  " + format_error(error.under_shadowing) + "\n";
-  text += "largest |error|  " + format_error(error.max_error) + "\n";
+  text += metric_lines(score);
   text += region_line("lit", error.lit) + region_line("penumbra", error.penumbra) +
           region_line("umbra", error.umbra);
   text += term_lines(judgement_lines(score.judgement));

@@ -2,6 +2,7 @@
 #include "cli/validation_text.h"
 
 #include "cli/console.h"
+#include "study/catalogue.h"
 #include "study/causes/causes_format.h"
 #include "study/diagnosis_format.h"
 #include "study/format.h"
@@ -30,28 +31,28 @@ std::string verdict_cell(const SceneResult& scene, const TechniqueResult& run) {
   return is_baseline ? "baseline" : format_verdict(run.judgement.verdict);
 }
 
+/// The rows of the catalogue that have a column.
+std::vector<const Metric*> metric_columns() {
+  std::vector<const Metric*> columns;
+  for (const Metric& metric : metric_catalogue()) {
+    if (!metric.heading.empty()) columns.push_back(&metric);
+  }
+  return columns;
+}
+
 std::vector<std::string> row(const SceneResult& scene, const TechniqueResult& run) {
+  std::vector<std::string> cells{scene.name, run.label};
+  for (const Metric* metric : metric_columns()) cells.push_back(run.error ? format_metric(*metric, run) : "");
+  const char* reason = run.failure ? "failed" : scene.parity ? "void" : "not compared";
+  if (!run.error) cells[2] = reason;
+  cells.push_back(run.error ? format_faults(run.diagnosis) : "");
+  cells.push_back(run.error ? verdict_cell(scene, run) : "");
+  cells.push_back(run.error ? growth_cell(scene, run) : "");
   std::string time = format_time(total_time(run.pass_times));
   if (run.is_reused && total_time(run.pass_times)) time += " stored";
-  const std::string memory = run.memory_bytes > 0 ? format_bytes(run.memory_bytes) : kNotApplicable;
-  if (!run.error) {
-    const char* reason = run.failure ? "failed" : scene.parity ? "void" : "not compared";
-    return {scene.name, run.label, reason, "", "", "", "", "", "", "", "", time, memory};
-  }
-  const VisibilityError& error = *run.error;
-  return {scene.name,
-          run.label,
-          format_interval(error.rmse),
-          format_error(run.lit_rmse),
-          format_signed_error(error.bias),
-          format_error(error.over_shadowing),
-          format_error(error.under_shadowing),
-          format_error(region_rmse(error.penumbra)),
-          format_faults(run.diagnosis),
-          verdict_cell(scene, run),
-          growth_cell(scene, run),
-          time,
-          memory};
+  cells.push_back(time);
+  cells.push_back(run.memory_bytes > 0 ? format_bytes(run.memory_bytes) : kNotApplicable);
+  return cells;
 }
 
 std::string table(const Results& results) {
@@ -59,9 +60,10 @@ std::string table(const Results& results) {
   for (const SceneResult& scene : results.scenes) {
     for (const TechniqueResult& run : scene.techniques) rows.push_back(row(scene, run));
   }
-  return format_table({"scene", "technique", "RMSE [95 %]", "lit", "mean", "over", "under", "penumbra",
-                       "faults", "verdict", "grew", "time", "memory"},
-                      rows);
+  std::vector<std::string> head{"scene", "technique"};
+  for (const Metric* metric : metric_columns()) head.push_back(metric->heading);
+  head.insert(head.end(), {"faults", "verdict", "grew", "time", "memory"});
+  return format_table(head, rows);
 }
 
 /// Scenes where a run leaves out the same share a line.

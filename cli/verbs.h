@@ -45,6 +45,7 @@ void add_selftest(CLI::App& app, CommandLine& line);
 void add_regress(CLI::App& app, CommandLine& line);
 void add_stress(CLI::App& app, CommandLine& line);
 void add_engines(CLI::App& app, CommandLine& line);
+void add_metrics(CLI::App& app, CommandLine& line);
 void add_doctor(CLI::App& app, CommandLine& line);
 void add_help(CLI::App& app, CommandLine& line);
 

@@ -6,6 +6,7 @@
 #include "study/picture_score.h"
 #include "study/pictures.h"
 #include "study/results_json.h"
+#include "study/run_json.h"
 
 #include <nlohmann/json.hpp>
 
@@ -78,6 +79,7 @@ void add_score(py::module_& module) {
   std::vector<std::string> names;
   for (size_t i = 0; i < kFaultClasses; ++i) names.emplace_back(name_of(static_cast<FaultClass>(i)));
   module.attr("fault_names") = py::tuple(py::cast(names));
+  module.attr("metrics") = catalogue_json().dump();
   module.def("eye_of", [](const Image& truth) {
     const glm::dvec3 eye = eye_of(truth, "truth");
     return std::array<double, 3>{eye.x, eye.y, eye.z};

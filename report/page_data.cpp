@@ -7,6 +7,7 @@
 #include "report/tune_files.h"
 #include "study/pictures.h"
 #include "study/results_json.h"
+#include "study/run_json.h"
 
 #include <nlohmann/json.hpp>
 
@@ -56,6 +57,7 @@ std::string page_data(const std::optional<Results>& given, const std::filesystem
       {"bias_sweeps", read_bias_sweeps(beside)},
       {"tunings", read_tunings(beside)},
       {"palette", palette_json()},
+      {"metrics", catalogue_json()},
       {"data_folder", store.has_files() ? OrderedJson(store.folder_name()) : OrderedJson(nullptr)}};
   data.update(side_data(beside));
   return script_safe(data.dump(-1, ' ', false, OrderedJson::error_handler_t::replace));

@@ -8,6 +8,7 @@
 #include "study/results.h"
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -52,6 +53,7 @@ struct GateRun {
   bool is_other_light = false;  // where parity fails: the surfaces agree, the light on them does not
   std::optional<VisibilityError> error;
   std::optional<Diagnosis> diagnosis;
+  std::map<std::string, double> measured;  // by key: rows of study/catalogue.h that no class stands for
 };
 
 /// A measured value may exceed the baseline's by `excess` and by `share` of it. Without a baseline by `excess`.

@@ -16,6 +16,7 @@
 #include "study/similarity.h"
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -78,21 +79,26 @@ struct TemporalNumbers {
   std::optional<double> seed_noise;  // of the technique's seeds
 };
 
+/// What a picture got against the truth. `error` is absent where parity fails, and everything with it.
+struct Measures {
+  std::optional<VisibilityError> error;
+  std::optional<double> lit_rmse;      // of the lit picture (metrics/lit_error.h); absent without halves of S
+  Judgement judgement;                 // empty without `error`
+  std::optional<Diagnosis> diagnosis;  // absent without `error`, and when a warning says why
+  std::optional<Similarity> similarity;    // when asked for
+  std::map<std::string, double> measured;  // by key: rows of study/catalogue.h that have `measure`
+};
+
 /// One technique with one parameter set on one scene. `error` is absent when the run failed, when parity
 /// voids the scene, or when the reference failed.
-struct TechniqueResult {
+struct TechniqueResult : Measures {
   std::string label;      // unique in its scene
   std::string technique;  // id
   std::string title;
   std::string hash;  // of the technique's manifest and shaders
   ParameterValues parameters;
   std::optional<Failure> failure;
-  std::optional<VisibilityError> error;
-  std::optional<double> lit_rmse;           // of the lit picture (metrics/lit_error.h)
-  Judgement judgement;                      // empty without `error`
-  std::optional<Diagnosis> diagnosis;       // absent without `error`, and when a warning says why
   std::optional<TemporalNumbers> temporal;  // when asked for
-  std::optional<Similarity> similarity;     // when asked for
   std::optional<FaultCauses> fault_causes;  // when asked for, and only of the worst runs unless of all
   double clipped_share = 0.0;               // of scored pixels, beyond the error picture's scale
   std::vector<PassTime> pass_times;

@@ -86,6 +86,9 @@ OrderedJson picture_json(const PictureScore& picture, const std::string& test_fi
   add_judgement(score.judgement, json);
   add_diagnosis(score.diagnosis, json);
   json["similarity"] = similarity_json(score.similarity);
+  TechniqueResult result;
+  static_cast<Measures&>(result) = score;
+  json["measurements"] = measurements_json(result);
   json["no_diagnosis"] = failure_json(score.no_diagnosis);
   json["notes"] = picture.notes;
   json["mean_square_rounding"] = picture.mean_square_rounding;

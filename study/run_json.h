@@ -13,6 +13,10 @@
 namespace umbrameter {
 
 nlohmann::ordered_json error_json(const VisibilityError& error);
+/// The rows of the catalogue, for programs and the page.
+nlohmann::ordered_json catalogue_json();
+/// Each row of the catalogue that has a value, by its key.
+nlohmann::ordered_json measurements_json(const TechniqueResult& run);
 nlohmann::ordered_json technique_json(const TechniqueResult& run);
 nlohmann::ordered_json reference_json(const std::optional<ReferenceResult>& reference);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/run_json.h"
 
+#include "study/catalogue.h"
 #include "study/causes/causes_json.h"
 #include "study/diagnosis_json.h"
 #include "study/json_optional.h"
@@ -52,6 +53,15 @@ ParameterValues read_parameters(const Json& json) {
   ParameterValues values;
   for (const auto& [name, value] : json.items()) values[name] = read_value(value);
   return values;
+}
+
+/// Those that nothing else holds. Files of before rows lack them.
+std::map<std::string, double> read_measured(const Json& values) {
+  std::map<std::string, double> measured;
+  for (const Metric& metric : metric_catalogue()) {
+    if (metric.measure && values.contains(metric.key)) measured[metric.key] = values.at(metric.key);
+  }
+  return measured;
 }
 
 std::optional<TemporalNumbers> read_temporal(const Json& json) {
@@ -122,6 +132,7 @@ TechniqueResult read_technique(const nlohmann::json& json) {
   run.temporal = read_temporal(json.at("temporal"));
   run.similarity = read_similarity(json.at("similarity"));
   run.maps_file = json.at("maps_file");
+  run.measured = read_measured(json.value("measurements", Json::object()));
   return run;
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "study/catalogue.h"
 #include "study/causes/causes_json.h"
 #include "study/diagnosis_json.h"
 #include "study/json_optional.h"
@@ -51,6 +52,28 @@ OrderedJson error_json(const VisibilityError& error) {
           {"penumbra", region_json(error.penumbra)}};
 }
 
+OrderedJson catalogue_json() {
+  OrderedJson rows = OrderedJson::array();
+  for (const Metric& metric : metric_catalogue()) {
+    rows.push_back({{"key", metric.key},
+                    {"label", metric.label},
+                    {"group", metric.group},
+                    {"unit", metric.unit},
+                    {"better", name_of(metric.better)},
+                    {"form", name_of(metric.form)},
+                    {"doc", metric.doc}});
+  }
+  return rows;
+}
+
+OrderedJson measurements_json(const TechniqueResult& run) {
+  OrderedJson values = OrderedJson::object();
+  for (const Metric& metric : metric_catalogue()) {
+    if (const auto value = metric.of(run)) values[metric.key] = *value;
+  }
+  return values;
+}
+
 OrderedJson technique_json(const TechniqueResult& run) {
   OrderedJson json{{"label", run.label},
                    {"technique", run.technique},
@@ -79,6 +102,7 @@ OrderedJson technique_json(const TechniqueResult& run) {
   json["temporal"] = temporal_json(run.temporal);
   json["similarity"] = similarity_json(run.similarity);
   json["maps_file"] = run.maps_file;
+  json["measurements"] = measurements_json(run);
   return json;
 }
 

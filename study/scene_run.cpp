@@ -165,12 +165,8 @@ void take_scores(const SceneContext& context, const TechniqueFrame& twin, Techni
   result.error_picture_file = copied(from.error_picture_file, "-error.png");
   result.fault_picture_file = copied(from.fault_picture_file, "-faults.png");
   result.maps_file = copied(from.maps_file, "-maps.exr");
-  result.error = from.error;
-  result.lit_rmse = from.lit_rmse;
-  result.judgement = from.judgement;
+  static_cast<Measures&>(result) = from;
   result.judgement.verdict.reset();
-  result.similarity = from.similarity;
-  result.diagnosis = from.diagnosis;
   result.clipped_share = from.clipped_share;
   result.left_out.push_back(fmt::format(
       "scoring: the picture is pixel by pixel that of '{}' (saves {:.2g} s)", from.label, twin.scoring_s));
@@ -200,10 +196,7 @@ void take_score(const SceneContext& context, const Image& reference, Score score
   result.picture_file = context.relative(stem + ".png");
   save_picture(context, result.picture_file, visibility_picture(image));
   if (!score.error) return;
-  result.error = score.error;
-  result.lit_rmse = score.lit_rmse;
-  result.judgement = score.judgement;
-  result.similarity = score.similarity;
+  static_cast<Measures&>(result) = score;
   if (score.maps) {
     result.maps_file = context.relative(stem + "-maps.exr");
     save_image(context, result.maps_file, *score.maps);
@@ -213,7 +206,6 @@ void take_score(const SceneContext& context, const Image& reference, Score score
   const Picture picture = signed_error_picture(image, reference, run.mask);
   result.clipped_share = picture.clipped_share;
   save_picture(context, result.error_picture_file, picture);
-  result.diagnosis = score.diagnosis;
   if (score.no_diagnosis) {
     result.warnings.push_back("the faults could not be told apart: " + score.no_diagnosis->message);
     return;

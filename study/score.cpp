@@ -3,6 +3,7 @@
 
 #include "core/error.h"
 #include "metrics/lit_error.h"
+#include "study/catalogue.h"
 #include "study/guard.h"
 #include "study/maps.h"
 
@@ -63,6 +64,7 @@ Score score_image(const Image& test, const Image& reference, const glm::dvec3& e
   for (size_t i = 0; i < settings.known.size(); ++i) score.mask[i] &= settings.known[i];
   score.error = measure_visibility_error(test, reference, score.mask);
   if (reference.has("irradiance_half_a")) score.lit_rmse = measure_lit_error(test, reference, score.mask);
+  score.measured = measure_rows({test, reference, score.mask});
   if (settings.maps) score.maps = Image(test.width, test.height);
   Image* maps = score.maps ? &*score.maps : nullptr;
   if (settings.metrics.significance) {

@@ -19,21 +19,15 @@
 
 namespace umbrameter {
 
-/// `error` is absent when parity fails: such a comparison says nothing.
-struct Score {
+/// `error` is absent when parity fails: such a comparison says nothing. Without a verdict: see judge_against.
+struct Score : Measures {
   bool has_surfaces = false;  // whether the test image brought what parity needs
   Parity parity;  // without surfaces: the reference against itself, so it only finds the background
-  std::vector<uint8_t> mask;   // scored pixels; empty when parity fails
-  size_t scorable_pixels = 0;  // that the truth can score
-  std::optional<VisibilityError> error;
-  std::optional<double>
-      lit_rmse;  // of the lit picture (metrics/lit_error.h); absent where the reference has no halves of S
-  Judgement judgement;  // without a verdict: see judge_against
-  std::optional<Diagnosis> diagnosis;
+  std::vector<uint8_t> mask;              // scored pixels; empty when parity fails
+  size_t scorable_pixels = 0;             // that the truth can score
   std::vector<FaultClass> fault_classes;  // [height][width]; empty without diagnosis
   std::optional<Failure> no_diagnosis;    // why; `error` stands without it
-  std::optional<Similarity> similarity;
-  std::optional<Image> maps;  // see study/maps.h; when asked for
+  std::optional<Image> maps;              // see study/maps.h; when asked for
 };
 
 struct ScoreSettings {

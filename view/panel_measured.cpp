@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What was measured: labels, summary, faults, the probe under the cursor.
 
-#include "study/results.h"
+#include "study/catalogue.h"
 #include "view/panel_row.h"
 #include "view/panels.h"
 
@@ -29,14 +29,17 @@ std::string interval_text(const Interval& interval) {
   return fmt::format("{:.4f}  ({:.4f} to {:.4f})", interval.value, interval.low, interval.high);
 }
 
-std::string optional_text(const std::optional<double>& value) {
-  return value ? fmt::format("{:+.4f}", *value) : "nothing to measure";
-}
-
-void similarity_rows(const Score& score) {
-  if (!score.similarity || !score.similarity->flip_mean || !score.similarity->ssim) return;
-  panel_row("FLIP, SSIM",
-            fmt::format("{:.4f}, {:.4f}", *score.similarity->flip_mean, *score.similarity->ssim));
+/// The catalogue's errors and similarities; penumbrae and faults have panels of their own.
+void metric_rows(const Score& score) {
+  TechniqueResult result;
+  static_cast<Measures&>(result) = score;
+  for (const Metric& metric : metric_catalogue()) {
+    if ((metric.group != "error" && metric.group != "similarity") || metric.key == "rmse" ||
+        !metric.of(result))
+      continue;
+    panel_row(metric.label.c_str(), format_metric(metric, result));
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", metric.doc.c_str());
+  }
 }
 
 std::string offset_text(double widths) {
@@ -68,15 +71,7 @@ void error_rows(const Score& score, int truth_pass) {
         "Root mean square of V - R over the %zu scored pixels in the window, the truth's noise taken\n"
         "out, with its 95 %% interval. Pass %d of the truth.",
         error.scored_pixels, truth_pass + 1);
-  panel_row("Bias", optional_text(error.bias));
-  panel_row("Too dark, too bright",
-            fmt::format("{}, {}", optional_text(error.over_shadowing), optional_text(error.under_shadowing)));
-  if (const auto penumbra = region_rmse(error.penumbra))
-    panel_row("RMSE in penumbrae",
-              fmt::format("{:.4f} on {:.0f} % of the picture", *penumbra, 100.0 * error.penumbra.share));
-  if (error.max_error) panel_row("Largest error", fmt::format("{:.3f}", *error.max_error));
-  if (score.lit_rmse) panel_row("RMSE of the lit picture", fmt::format("{:.4f}", *score.lit_rmse));
-  similarity_rows(score);
+  metric_rows(score);
   if (score.diagnosis) penumbra_rows(*score.diagnosis);
 }
 

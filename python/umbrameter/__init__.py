@@ -22,12 +22,12 @@ from ._core import Error, InputError, MachineError, Scene
 from ._frames import Frames, frames
 from ._picture import ParameterValue, Picture, read
 from ._program import command
-from ._score import FAULTS, PROFILE_OUTCOMES, Interval, Score, Walk, score
+from ._score import FAULTS, METRICS, PROFILE_OUTCOMES, Interval, Score, Walk, score
 from ._searches import Tuning, bench, check_engine, render_engine as _render_engine, sweep, tune
 
 __all__ = [
     "Error", "InputError", "MachineError", "Frames", "Interval", "Picture", "Scene", "Score", "Tuning", "Walk", "FAULTS",
-    "PROFILE_OUTCOMES", "__version__", "bench", "check_engine", "command", "engines", "frames", "load_scene", "read", "render",
+    "PROFILE_OUTCOMES", "__version__", "bench", "check_engine", "command", "engines", "frames", "load_scene", "metrics", "read", "render",
     "scenes", "score", "sweep", "techniques", "truth", "tune",
 ]
 
@@ -50,6 +50,12 @@ def load_scene(name_or_path: Path, assets: Optional[str] = None, light: str = ""
 def techniques() -> Sequence[Mapping[str, Any]]:
     """The built-in techniques: id, title, summary, lights, parameters (with default, min, max, unit, doc) and presets."""
     return _core.list_techniques(_core.data_folder())
+
+
+def metrics() -> Sequence[Mapping[str, Any]]:
+    """Every number that a run is given: key, label, group, unit, better (lower, higher, nearest_zero, nearest_one), form and doc.
+    Columns of frames().runs and `record["measurements"]` of a score are called by their keys."""
+    return METRICS
 
 
 def engines() -> Sequence[Mapping[str, Any]]:

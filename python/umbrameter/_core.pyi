@@ -7,6 +7,7 @@ import numpy.typing as npt
 version: str
 commit: str
 file: str
+metrics: str
 fault_names: Tuple[str, ...]
 fault_colours: Tuple[Tuple[int, int, int], ...]
 profile_outcomes: Tuple[str, ...]

@@ -4,29 +4,25 @@ from __future__ import annotations
 
 from typing import Any, Dict, Iterable, Mapping, Optional
 
+from ._score import METRICS
+
 Row = Dict[str, Any]
 Record = Mapping[str, Any]
 
 
 def run_row(run: Record) -> Row:
     """A technique's entry of results.json."""
-    error = run["error"] or {}
-    penumbra, hardening, faults = run.get("penumbra") or {}, run.get("contact_hardening") or {}, run.get("faults") or {}
-    verdict, similarity = run.get("verdict") or {}, run.get("similarity") or {}
+    error, faults, verdict = run["error"] or {}, run.get("faults") or {}, run.get("verdict") or {}
     row = {**identity(run), **interval("rmse", error.get("rmse")), **interval("mse", error.get("mse"))}
-    row["lit_rmse"] = run["lit_rmse"]
-    for name in ("bias", "mae", "max_error", "over_shadowing", "under_shadowing", "noise_floor_mse", "scored_pixels"):
+    measurements = run.get("measurements") or {}
+    row.update({metric["key"]: measurements.get(metric["key"]) for metric in METRICS})
+    for name in ("noise_floor_mse", "scored_pixels"):
         row[name] = error.get(name)
-    for region in ("lit", "umbra", "penumbra"):
-        row.update({f"{region}.{name}": (error.get(region) or {}).get(name) for name in ("rmse", "share")})
-    for name in ("width_octaves", "offset_world"):
-        row[name] = (penumbra.get(name) or {}).get("median")
-    row.update({"accepted_profiles": penumbra.get("accepted"), "contact_hardening_slope": hardening.get("slope"),
-                "worst_fault": faults.get("worst"), "flip_mean": similarity.get("flip_mean"), "ssim": similarity.get("ssim")})
-    row.update({f"fault.{name}": part["mean_abs_error"] for name, part in (faults.get("classes") or {}).items()})
+    row.update({f"{region}.share": (error.get(region) or {}).get("share") for region in ("lit", "umbra", "penumbra")})
+    row.update({"accepted_profiles": (run.get("penumbra") or {}).get("accepted"), "worst_fault": faults.get("worst")})
     row.update({**time_of_frame(run["pass_times"]), "timer": run["timer"], "baseline": verdict.get("baseline"),
                 "verdict": verdict.get("outcome"), **interval("mse_difference", verdict.get("mse_difference")),
-                "memory_bytes": run["memory_bytes"], "device": run["device"], "image": run["image_file"]})
+                "device": run["device"], "image": run["image_file"]})
     return {**row, **parameters(run)}
 
 

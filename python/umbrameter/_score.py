@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass, field
-from typing import Any, Mapping, NamedTuple, Optional, Tuple, Union
+from typing import Any, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -15,6 +15,7 @@ from ._picture import Picture
 
 FAULTS: Tuple[str, ...] = _core.fault_names
 """Names of the values in Score.fault_map."""
+METRICS: Sequence[Mapping[str, Any]] = json.loads(_core.metrics)
 PROFILE_OUTCOMES: Tuple[str, ...] = _core.profile_outcomes
 """Names of the values in the field `outcome` of Score.profiles(): `accepted`, and the causes of rejection."""
 

@@ -3,6 +3,7 @@
 
 #include "core/error.h"
 #include "core/statistics.h"
+#include "study/catalogue.h"
 
 #include <algorithm>
 #include <cmath>
@@ -105,6 +106,9 @@ const std::vector<std::string>& measure_names() {
     all.insert(all.end(),
                {kWidth, se_name(kWidth), least_name(kWidth), kOffset, se_name(kOffset), least_name(kOffset),
                 kSlope, kExcess, kSpan, kSlopeMargin, kNoise, kTruthNoise, kBanding, kFootprint});
+    for (const Metric& metric : metric_catalogue()) {
+      if (metric.measure) all.push_back(metric.key);
+    }
     return all;
   }();
   return names;
@@ -117,6 +121,7 @@ std::optional<CaseNumbers> case_numbers(const GateRun& run) {
   numbers.mse = *run.error->mse;
   numbers.noise_sd = run.error->mse_noise_sd.value_or(0.0);
   if (run.diagnosis) numbers.measures = measures_of(*run.diagnosis);
+  numbers.measures.insert(run.measured.begin(), run.measured.end());
   return numbers;
 }
 
@@ -126,7 +131,7 @@ GateRun gate_run_of(const CaseNumbers& numbers) {
   run.error->scored_pixels = numbers.scored_pixels;
   run.error->mse = numbers.mse;
   run.error->rmse = rmse_of(numbers);
-  if (!numbers.measures.empty()) run.diagnosis = diagnosis_of(numbers.measures);
+  if (numbers.measures.contains(fault_name(kFirstFault))) run.diagnosis = diagnosis_of(numbers.measures);
   return run;
 }
 

@@ -22,7 +22,8 @@ struct CaseNumbers {
   std::map<std::string, double> measures;
 };
 
-/// Every measure there can be: the fault classes' parts of the mean absolute error, and what tells penumbrae apart.
+/// Every measure there can be: the fault classes' parts of the mean absolute error, what tells penumbrae apart, and the
+/// catalogue's rows that are measured from pictures.
 const std::vector<std::string>& measure_names();
 
 /// Absent for a run that is void, or without scored pixels.

@@ -87,6 +87,7 @@ Examined examine(const Image& picture, const Image& truth, const glm::dvec3& eye
   out.run.truth_problems = truth_problems(truth, score.mask);
   out.run.error = score.error;
   out.run.diagnosis = score.diagnosis;
+  out.run.measured = score.measured;
   out.run.failure = score.no_diagnosis;
   out.mask = std::move(score.mask);
   out.fault_classes = std::move(score.fault_classes);

@@ -22,11 +22,7 @@ RunRecord make_record(const BenchRun& run, RecordHead head, const std::string& r
 
 void take_score(const Score& score, RunRecord& record) {
   record.parity = parity_numbers(score.parity, ParityTolerance{}.required_agreement);
-  record.result.error = score.error;
-  record.result.lit_rmse = score.lit_rmse;
-  record.result.judgement = score.judgement;
-  record.result.diagnosis = score.diagnosis;
-  record.result.similarity = score.similarity;
+  static_cast<Measures&>(record.result) = score;
   if (score.no_diagnosis)
     record.result.warnings.push_back("the faults could not be told apart: " + score.no_diagnosis->message);
 }

@@ -28,7 +28,7 @@ class Help : public CliTest {
 const std::vector<std::string> kVerbs{"validate",  "score",      "bench",   "tune",   "plan",
                                       "sweep",     "merge",      "export",  "report", "regress",
                                       "stress",    "selftest",   "engines", "scene",  "render",
-                                      "reference", "techniques", "doctor",  "help"};
+                                      "reference", "techniques", "metrics", "doctor", "help"};
 
 TEST_F(Help, VerbsStandInGroupsAndNoneOutsideOfThem) {
   const std::string text = out({"--help"});

@@ -50,14 +50,14 @@ TEST_F(ReportOverview, ShowsAnyMetricThatWasMeasuredAndNoOther) {
   const Json seen =
       visit({evaluate(overview_ready()),
              evaluate("[...document.getElementById('overview-metric').options].map(one => one.value)"),
-             evaluate(choose + "('largest')"), evaluate(choose + "('memory')")});
+             evaluate(choose + "('max_error')"), evaluate(choose + "('memory_bytes')")});
   EXPECT_EQ(seen["console"], Json::array());
   const Json results = Json::parse(read_file(place("results.json")));
   const auto has = [&](const char* name) {
     return std::ranges::find(seen["values"][0], Json(name)) != seen["values"][0].end();
   };
-  EXPECT_TRUE(has("rmse") && has("penumbra") && has("largest") && has("fault") && has("time") &&
-              has("memory"));
+  EXPECT_TRUE(has("rmse") && has("penumbra.rmse") && has("max_error") && has("worst_fault_error") &&
+              has("time_ms") && has("memory_bytes"));
   EXPECT_FALSE(has("flicker")) << "no sequence was rendered";
   for (const Json& row : seen["values"][1]) {
     for (const auto& run : results["scenes"][0]["techniques"]) {

@@ -1,0 +1,30 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""metrics_table.py PROGRAM [--check]: writes the catalogue of metrics into docs/metrics.md, or fails where the table there is another."""
+import json
+import pathlib
+import subprocess
+import sys
+
+import markdown
+
+DOCUMENT = pathlib.Path(__file__).resolve().parent.parent / "docs" / "metrics.md"
+HEADINGS = ("metric", "called", "group", "unit", "better", "what it is")
+KEYS = ("key", "label", "group", "unit", "better", "doc")
+
+
+def row(metric):
+    words = [metric[key].replace("|", "\\|").replace("_", " ") if key == "better" else metric[key].replace("|", "\\|") for key in KEYS]
+    return [f"`{words[0]}`", *words[1:]]
+
+
+def main():
+    answer = subprocess.run([sys.argv[1], "metrics", "--json"], check=True, capture_output=True, text=True).stdout
+    text = markdown.table(HEADINGS, [row(metric) for metric in json.loads(answer)["metrics"]])
+    if "--check" not in sys.argv:
+        markdown.replace_measured(DOCUMENT, "metrics_table.py", text)
+    elif text not in DOCUMENT.read_text():
+        sys.exit(f"{DOCUMENT.name}: the table of metrics is not that of the program (scripts/metrics_table.py PROGRAM)")
+
+
+main()
