@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/catalogue.h"
 
+#include "metrics/worst_pixels.h"
 #include "study/format.h"
 
 #include <fmt/format.h>
@@ -187,7 +188,15 @@ std::vector<Metric> cost_rows() {
 
 /// Rows that are measured from the pictures: {..., .measure = measure_it}.
 std::vector<Metric> measured_rows() {
-  std::vector<Metric> rows = {};
+  std::vector<Metric> rows = {
+      {.key = "worst_pixels_rmse",
+       .label = "RMSE of the worst pixels",
+       .group = "error",
+       .unit = "visibility",
+       .doc = "root mean square of V - R over the hundredth of the pixels that is farthest off",
+       .measure =
+           [](const MetricInputs& in) { return measure_worst_pixels(in.test, in.reference, in.mask); }},
+  };
   for (Metric& row : rows) {
     row.of = [key = row.key](const Run& run) -> Value {
       const auto found = run.measured.find(key);
