@@ -16,6 +16,7 @@ def run_row(run: Record) -> Row:
     row = {**identity(run), **interval("rmse", error.get("rmse")), **interval("mse", error.get("mse"))}
     measurements = run.get("measurements") or {}
     row.update({metric["key"]: measurements.get(metric["key"]) for metric in METRICS})
+    row.update({f"fault.{name}": part["mean_abs_error"] for name, part in (faults.get("classes") or {}).items()})
     for name in ("noise_floor_mse", "scored_pixels"):
         row[name] = error.get(name)
     row.update({f"{region}.share": (error.get(region) or {}).get("share") for region in ("lit", "umbra", "penumbra")})

@@ -12,12 +12,12 @@ function quartiles(values) {
 function frontPoints(rows) {
   const measured = rows.map(row => ({label: row.label, runs: row.places.flatMap((run, scene) => {
     const one = results.scenes[scene].techniques[run];
-    return one && overviewMetrics.rmse.value(one) !== null && totalMs(one) !== null ? [one] : [];
+    return one && rmseOf(one) !== null && totalMs(one) !== null ? [one] : [];
   })}));
   const most = Math.max(0, ...measured.map(row => row.runs.length));
   const complete = measured.filter(row => most > 0 && row.runs.length === most);
   const points = complete.map(({label, runs}) => {
-    const time = quartiles(runs.map(totalMs)), rmse = quartiles(runs.map(overviewMetrics.rmse.value));
+    const time = quartiles(runs.map(totalMs)), rmse = quartiles(runs.map(rmseOf));
     return {label, x: time[1], y: rmse[1], bars: {x: [time[0], time[2]], y: [rmse[0], rmse[2]]}};
   });
   return {points, scenes: most, leftOut: measured.length - complete.length};
@@ -41,7 +41,7 @@ function drawFront() {
 function bestText(scene, index) {
   if (index < 0) return "n/a";
   const run = scene.techniques[index], time = totalMs(run);
-  return `${run.label}: ${run.error.rmse.value.toFixed(3)}${time === null ? "" : `, ${significantText(time, 3)} ms`}`;
+  return `${run.label}: ${rmseOf(run).toFixed(3)}${time === null ? "" : `, ${significantText(time, 3)} ms`}`;
 }
 
 function fillBestTable(factor) {

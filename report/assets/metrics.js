@@ -5,6 +5,10 @@ function totalMs(run) {
   return run.pass_times.at(-1)?.median_ms ?? null;
 }
 
+function rmseOf(run) {
+  return run.measurements?.rmse ?? null;
+}
+
 function worstFault(run) {
   const name = run.faults?.worst;
   return name ? {name, part: run.faults.classes[name].mean_abs_error} : null;

@@ -38,7 +38,7 @@ function overviewRows() {
     if (!rows.has(run.label)) rows.set(run.label, []);
     rows.get(run.label)[sceneIndex] ??= runIndex;
   }));
-  const order = ([, places]) => median(places.map((run, scene) => overviewMetrics.rmse.value(results.scenes[scene].techniques[run])));
+  const order = ([, places]) => median(places.map((run, scene) => rmseOf(results.scenes[scene].techniques[run])));
   return Array.from(rows).map(row => ({label: row[0], places: row[1], order: order(row)})).sort((a, b) => a.order - b.order);
 }
 
@@ -49,17 +49,17 @@ function isEarlier(run) {
 
 // The index of the run that is closest to the truth within `factor` times the fastest scored run's time; -1 without any.
 function bestAffordable(scene, factor) {
-  const scored = scene.techniques.flatMap((run, index) => overviewMetrics.rmse.value(run) === null || isEarlier(run) ? [] : [{run, index}]);
+  const scored = scene.techniques.flatMap((run, index) => rmseOf(run) === null || isEarlier(run) ? [] : [{run, index}]);
   const times = scored.map(({run}) => totalMs(run)).filter(time => time !== null);
   const limit = times.length ? factor * Math.min(...times) : Infinity;
   const affordable = scored.filter(({run}) => times.length === 0 || (totalMs(run) ?? Infinity) <= limit);
   return affordable.reduce((best, {run, index}) =>
-      best < 0 || run.error.rmse.value < scene.techniques[best].error.rmse.value ? index : best, -1);
+      best < 0 || rmseOf(run) < rmseOf(scene.techniques[best]) ? index : best, -1);
 }
 
 function cellLabel(scene, run) {
   const fault = worstFault(run), time = totalMs(run);
-  return `${run.label} in ${scene.name}: RMSE ${run.error.rmse ? run.error.rmse.value.toFixed(4) : "n/a"}` +
+  return `${run.label} in ${scene.name}: RMSE ${rmseOf(run)?.toFixed(4) ?? "n/a"}` +
       (fault ? `, worst fault ${fault.name.replaceAll("_", " ")} ${fault.part.toFixed(4)}` : "") +
       (time === null ? "" : `, ${significantText(time, 3)} ms`);
 }

@@ -20,7 +20,7 @@ CauseCase cause_no_bias(const std::string& scene) {
                        {{"bias_texels", 0.0}, {"normal_offset_texels", 0.0}});
 }
 
-CauseCase map_too_coarse(const std::string& scene) {
+CauseCase cause_coarse_map(const std::string& scene) {
   return of_parameters("map too coarse", scene, map_size, soft_shadows(), {{"map_size", int64_t{128}}});
 }
 
@@ -74,7 +74,7 @@ std::vector<CauseCase> cause_list() {
           cause_wide_variance("colonnade"), cause_few_taps("half_plane"), cause_few_taps("contact_hardening"),
           of_parameters("few taps, no noise", "half_plane", taps, soft_shadows(),
                         {{"filter_taps", int64_t{6}}, {"noise", false}}),
-          map_too_coarse("colonnade"), map_too_coarse("fence"), map_too_coarse("box_contact"),
+          cause_coarse_map("colonnade"), cause_coarse_map("fence"), cause_coarse_map("box_contact"),
           search_too_small("half_plane_disk"), search_too_near("contact_hardening"),
           search_too_near("plate")};
 }

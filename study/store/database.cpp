@@ -39,7 +39,7 @@ std::string uri_of(const std::filesystem::path& file) {
   return uri + "?immutable=1";
 }
 
-int open(const std::filesystem::path& file, Database::Mode mode, sqlite3** handle) {
+int open_database(const std::filesystem::path& file, Database::Mode mode, sqlite3** handle) {
   const auto folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
   if (mode == Database::Mode::read && access(folder.c_str(), W_OK) != 0)
     return sqlite3_open_v2(uri_of(file).c_str(), handle, SQLITE_OPEN_READONLY | SQLITE_OPEN_URI, nullptr);
@@ -88,7 +88,7 @@ int64_t Statement::integer(int column) const {
 }
 
 Database::Database(const std::filesystem::path& file, Mode mode) : file_(file) {
-  const int code = open(file_, mode, &handle_);
+  const int code = open_database(file_, mode, &handle_);
   sqlite3_busy_timeout(handle_, kBusyTimeout_ms);
   if (code == SQLITE_OK) return;
   const std::string problem = sqlite3_errmsg(handle_);
@@ -126,7 +126,7 @@ void Database::use_write_ahead_log() {
 bool Database::is_sound(const std::filesystem::path& file) {
   sqlite3* handle = nullptr;
   sqlite3_stmt* statement = nullptr;
-  bool sound = open(file, Mode::read, &handle) == SQLITE_OK;
+  bool sound = open_database(file, Mode::read, &handle) == SQLITE_OK;
   if (sound) {
     sqlite3_busy_timeout(handle, kBusyTimeout_ms);
     sound = sqlite3_prepare_v2(handle, "PRAGMA quick_check(1)", -1, &statement, nullptr) == SQLITE_OK &&
@@ -145,7 +145,7 @@ void Database::salvage(const std::filesystem::path& file, std::string_view table
   sqlite3_stmt* statement = nullptr;
   const std::string sql =
       fmt::format("SELECT {} FROM {} NOT INDEXED WHERE rowid = ?", fmt::join(columns, ", "), table);
-  if (open(file, Mode::read, &handle) == SQLITE_OK &&
+  if (open_database(file, Mode::read, &handle) == SQLITE_OK &&
       sqlite3_prepare_v2(handle, sql.c_str(), -1, &statement, nullptr) == SQLITE_OK) {
     for (int64_t id = 1; id <= last; ++id) {
       sqlite3_reset(statement);

@@ -35,17 +35,23 @@ CREATE VIEW IF NOT EXISTS runs AS SELECT key,
   json_extract(json, '$.started') AS started,
   json_extract(json, '$.duration_s') AS duration_s
 FROM entries WHERE kind = 'run' AND json_valid(json);
+CREATE VIEW IF NOT EXISTS measurements AS SELECT entries.key AS key,
+  json_extract(entries.json, '$.scene') AS scene,
+  json_extract(entries.json, '$.result.label') AS label,
+  number.key AS metric,
+  number.value AS value
+FROM entries, json_each(CASE WHEN json_valid(entries.json) THEN entries.json ELSE '{}' END, '$.result.measurements') AS number WHERE kind = 'run';
 )";
 
 /// Held while this lives; the kernel lets go when the process dies.
 class FolderLock {
  public:
   explicit FolderLock(const fs::path& file)
-      : descriptor_(open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {
+      : descriptor_(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {
     if (descriptor_ >= 0) flock(descriptor_, LOCK_EX);
   }
   ~FolderLock() {
-    if (descriptor_ >= 0) close(descriptor_);
+    if (descriptor_ >= 0) ::close(descriptor_);
   }
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;

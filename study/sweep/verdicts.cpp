@@ -2,18 +2,12 @@
 #include "study/sweep/verdicts.h"
 
 #include "core/image_io.h"
+#include "study/store/stored_truth.h"
 
 #include <algorithm>
 
 namespace umbrameter {
 namespace {
-
-std::optional<Image> find_truth(Store& store, const std::string& key) {
-  const auto json = store.find(key);
-  const auto record = json ? parse_reference_record(*json) : std::nullopt;
-  if (!record) return std::nullopt;
-  return read_image(store.path_of(record->result.image_file));
-}
 
 /// The last one asked for: runs of a scene come together.
 template <class Value>
@@ -67,7 +61,7 @@ std::optional<StoredPicture> find_picture(Store& store, const std::string& key) 
 }
 
 void judge_runs(Store& store, std::span<RunRecord> runs, const std::string& baseline) {
-  Last<Image> truths;
+  Last<Frame> truths;
   Last<StoredPicture> baselines;
   const auto picture_of = [&](const std::string& key) { return find_picture(store, key); };
   for (RunRecord& run : runs) {
@@ -81,7 +75,7 @@ void judge_runs(Store& store, std::span<RunRecord> runs, const std::string& base
         truths.get(run.reference, [&](const std::string& key) { return find_truth(store, key); });
     if (!first || !truth) continue;
     run.result.judgement.verdict = judge_runs({picture->image, picture->mask}, {first->image, first->mask},
-                                              label_of(store, other), *truth);
+                                              label_of(store, other), truth->image);
   }
 }
 

@@ -50,6 +50,7 @@ class SweepCommand : public CliTest {
     for (Json& run : runs) {
       for (const char* time : {"started", "duration_s"}) run.erase(time);
       for (const char* time : {"wall_time_s", "pass_times"}) run["result"].erase(time);
+      run["result"]["measurements"].erase("time_ms");
       run.erase("baseline_times");
     }
     return runs;

@@ -4,6 +4,7 @@
 numbers than the record, a column could be lost, a refusal could lose its sentence, or Ctrl-C could leave a program behind.
 
 test_studies.py UMBRAMETER: the program that belongs to the module; PYTHONPATH names the module's folder."""
+import contextlib
 import json
 import os
 import pathlib
@@ -126,6 +127,14 @@ class Sweep(InFolder):
                     self.assertEqual(*texts, name)
         self.assertEqual(len(frames.references), 1)
         self.assertGreater(frames.references["mean_visibility_se"][0], 0)
+
+    def test_sql_has_a_row_a_run_and_metric(self):
+        runs = um.sweep(self.study(), self.folder / "store", **SMALL).runs
+        with contextlib.closing(sqlite3.connect(self.folder / "store" / "store.sqlite")) as database:
+            rows = database.execute("SELECT label, metric, value FROM measurements").fetchall()
+        for metric in ("rmse", "max_error", "worst_pixels_rmse"):
+            ours = sorted((label, value) for label, name, value in rows if name == metric)
+            self.assertEqual(ours, sorted(zip(runs["label"], runs[metric])))
 
     def test_it_goes_on_where_it_was(self):
         first = um.sweep(self.study(), self.folder / "store", shard="1/2", **SMALL)

@@ -169,6 +169,7 @@ def numbers(program, store):
             run.pop(key, None)
         for key in ("wall_time_s", "pass_times"):
             run["result"].pop(key, None)
+        run["result"]["measurements"].pop("time_ms", None)
     return runs
 
 

@@ -131,7 +131,7 @@ TEST_F(ReportFigure, WorstPlacesSayWhatIsWrongWhyAndWhatMendsIt) {
 
 TEST_F(ReportFigure, FrontIsOfTechniquesThatWereMeasuredEverywhere) {
   const Json seen = visit(Json::array(
-      {evaluate("(() => { const run = (rmse, ms) => ({error: {rmse: {value: rmse}}, pass_times: [{median_ms: "
+      {evaluate("(() => { const run = (rmse, ms) => ({measurements: {rmse}, pass_times: [{median_ms: "
                 "ms}]});"
                 "results.scenes = [{techniques: [run(0.1, 1), run(0.2, 2), run(0.01, 9)]}, {techniques: "
                 "[run(0.3, 3), run(0.4, 4)]}];"

@@ -78,7 +78,7 @@ TEST_F(ReportOverview, LeadsFromACellToItsPicture) {
 
 TEST_F(ReportOverview, BestIsTheClosestWithinTheTimeThatIsAllowed) {
   const std::string scene =
-      "const run = (rmse, ms) => ({error: {rmse: {value: rmse}}, pass_times: ms === null ? [] : [{median_ms: "
+      "const run = (rmse, ms) => ({measurements: {rmse}, pass_times: ms === null ? [] : [{median_ms: "
       "ms}]});"
       "const scene = {techniques: [run(0.1, 1), run(0.02, 8), run(0.001, 500), {error: null, pass_times: "
       "[]}]};";
@@ -86,7 +86,7 @@ TEST_F(ReportOverview, BestIsTheClosestWithinTheTimeThatIsAllowed) {
       {evaluate("{" + scene +
                 "[bestAffordable(scene, 2), bestAffordable(scene, 10), bestAffordable(scene, Infinity)]}"),
        evaluate("bestAffordable({techniques: [{error: null, pass_times: []}]}, 10)"),
-       evaluate("bestAffordable({techniques: [{error: {rmse: {value: 1}}, pass_times: []}]}, 10)")});
+       evaluate("bestAffordable({techniques: [{measurements: {rmse: 1}, pass_times: []}]}, 10)")});
   EXPECT_EQ(seen["values"], Json::parse("[[0, 1, 2], -1, 0]"));
 }
 

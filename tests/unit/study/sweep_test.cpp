@@ -300,7 +300,7 @@ TEST_F(SweepTest, TimesAreTakenBesideTheFirstRunAndJoinAStoredResult) {
   EXPECT_EQ(total_time(off.result.pass_times)->frames, 7);
   EXPECT_EQ(total_time(off.baseline_times)->median_ms, 2.0);
   EXPECT_EQ(off.result.timer, "fake clock");
-  EXPECT_THAT(to_csv(stored()), HasSubstr(",4,0,7,2,fake clock,"));
+  EXPECT_THAT(to_csv(stored()), HasSubstr(",4,4194304,0,7,2,fake clock,"));
 
   RunRecord without = off;
   without.result.pass_times.clear();
