@@ -15,7 +15,8 @@ phase 2 "configuring (some seconds)"
 export CCACHE_SLOPPINESS=pch_defines,time_macros
 launcher=()
 command -v ccache >/dev/null && launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
-cmake --preset release -DUMBRAMETER_TESTS=OFF -DUMBRAMETER_BENCHES=OFF -DUMBRAMETER_PYTHON=OFF "${launcher[@]}" >/dev/null
+cmake --preset release -DUMBRAMETER_TESTS=OFF -DUMBRAMETER_BENCHES=OFF -DUMBRAMETER_PYTHON=OFF \
+  -DUMBRAMETER_UNITY=ON -DUMBRAMETER_WARNINGS_AS_ERRORS=OFF "${launcher[@]}" >/dev/null
 phase 3 "building (the first time some minutes)"
 NINJA_STATUS="@@%f %t " cmake --build --preset release --target umbrameter | progress build
 program=build/release/cli/umbrameter
