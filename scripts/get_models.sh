@@ -34,7 +34,7 @@ is_there() { [ -f "$target/$1.obj" ] && [ -f "$target/$1.toml" ] && echo "$(colu
 get() {
   local name=$1 package version checksum member told
   package=$(column "$name" 2) version=$(column "$name" 3) checksum=$(column "$name" 4) member=$(column "$name" 5)
-  told=$(npm pack --ignore-scripts --silent --fetch-retries=1 --fetch-timeout=60000 --pack-destination "$part" "$package@$version" 2>&1) ||
+  told=$(npm pack --ignore-scripts --silent --fetch-retries=1 --fetch-timeout=30000 --pack-destination "$part" "$package@$version" 2>&1) ||
     fail 1 "$name: npm does not hand out $package@$version: $(echo "$told" | grep -v '^$' | head -1)"
   mv "$part"/*.tgz "$part/package.tgz"
   echo "$checksum  $part/package.tgz" | sha256sum --status -c - ||

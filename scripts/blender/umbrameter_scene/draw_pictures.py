@@ -56,7 +56,8 @@ def set_up_camera(scene):
 
 
 def solid_of(nodes, links, socket):
-    """A number, or a socket of one: how solid the shader at `socket` is. Blender computes it, not our masks."""
+    """A number, or a socket of one: how solid the shader at `socket` is. Blender computes it, not our masks;
+    what is inside groups is said where the pictures are asked for."""
     if not socket.is_linked:
         return 1.0
     node = socket.links[0].from_node

@@ -3,6 +3,7 @@
 import json
 import os
 import pathlib
+import shlex
 import subprocess
 import sys
 import tempfile
@@ -53,6 +54,9 @@ def draw(export, engine, samples, seed, said):
     for image in bpy.data.images:
         if image.is_dirty:
             said.add("pictures that were changed and not saved are drawn as the file has them", image.name)
+    for mask in export.masks:
+        if mask.is_grouped:
+            said.add("masks of shaders inside node groups are solid in pictures", mask.material)
     folders = {keys["name"]: folder_name(keys["name"]) for keys, _ in export.lights}
     camera = export.camera
     plan = {"engine": engine, "engines": str(ENGINES), "out": str(export.out / engine), "values": values, "seed": seed,
@@ -82,7 +86,6 @@ def folder_name(name):
 
 
 def quoted(text):
-    import shlex
     return shlex.quote(str(text))
 
 

@@ -40,6 +40,7 @@ class Mask:
     uv_layer: str = ""  # empty: the one for renders
     uv_transform: numpy.ndarray = dataclasses.field(default_factory=lambda: numpy.eye(3))
     extension: str = "REPEAT"
+    is_grouped: bool = False  # its shader is inside a node group
 
 
 def source_of(socket, groups):
@@ -66,17 +67,18 @@ def matching(sockets, other):
 
 
 class Alpha:
-    """Of one material. The picture is looked at `fineness` times finer than it is, as Blender interpolates it."""
+    """Of one material. `refine`: its picture is looked at finer than it is, as Blender interpolates it."""
 
     def __init__(self, refine):
         self.refine = refine
         self.texture = None
-        self.is_glass = self.is_bright = False
+        self.is_glass = self.is_bright = self.is_grouped = False
 
     def of_surface(self, socket, groups=()):
         output, groups, _ = source_of(socket, groups)
         if output is None:
             return 1.0
+        self.is_grouped |= len(groups) > 0
         node = output.node
         if node.type == "MIX_SHADER":
             share = self.number(node.inputs["Fac"], groups)
@@ -229,4 +231,4 @@ class Masks:
             self.said.add("materials that are transparent everywhere are holes", material.name)
             return Mask(material.name, material.name, solid.reshape(1, 1), threshold)
         return Mask(fine.texture.image.name, material.name, solid, threshold, fine.uv_layer, fine.uv_transform,
-                    fine.texture.extension)
+                    fine.texture.extension, fine.is_grouped)
