@@ -92,6 +92,7 @@ def leaf_of_color():
     material.use_nodes = True
     nodes, links = material.node_tree.nodes, material.node_tree.links
     picture = image_node(nodes, checkerboard("grate_color", 4, False), "Linear")
+    picture.image.colorspace_settings.name = "Non-Color"  # Cycles and EEVEE interpolate colours differently
     coordinates, mapping = nodes.new("ShaderNodeTexCoord"), nodes.new("ShaderNodeMapping")
     mapping.inputs["Scale"].default_value = (2.0, 1.0, 1.0)
     links.new(coordinates.outputs["UV"], mapping.inputs["Vector"])

@@ -112,7 +112,8 @@ class ExportTest(unittest.TestCase):
                             "--quantity", quantity, "--spp", "512", "--metrics", "error", "--json")
         self.assertIn(scored.returncode, (0, 1), scored.stderr)
         result = json.loads(scored.stdout)
-        return result["parity"]["agreement"], result["error"]["rmse"]["value"], scored.returncode
+        error = result["error"]  # none where the surfaces are others
+        return result["parity"]["agreement"], error and error["rmse"]["value"], scored.returncode
 
     def test_no_triangle_is_lost(self):
         tree, _ = glb_of(self.at / "kept/scene.glb")
@@ -127,7 +128,7 @@ class ExportTest(unittest.TestCase):
         read = umbrameter("scene", "export", self.at / "kept/scene.toml", "--light", "sun", "-o", self.at / "read")
         self.assertEqual(read.returncode, 0, read.stderr)
         self.assertEqual(json.loads((self.at / "read/scene.json").read_text())["triangles"], sum(TRIANGLES.values()))
-        self.assertEqual(read.stderr, "")
+        self.assertEqual(read.stderr, "umbrameter: warning: 4 of 812 triangles have holes, which scene.obj does not\n")
 
     def test_lights_and_cameras_arrive(self):
         for light, kind in LIGHTS.items():
@@ -158,10 +159,10 @@ class ExportTest(unittest.TestCase):
         self.assertEqual(sorted(masks), ["grate", "leaf"])
         wanted = [[255 if y == 0 or (x + y) % 2 == 0 else 0 for x in range(8)] for y in range(8)]
         self.assertEqual(masks["leaf"], wanted)
-        # Interpolated: eight times finer. Its colour is solid where it is bright; away from texels' corners that is sure.
+        # Interpolated: 32 times finer. Its colour is solid where it is bright; in the middle of texels that is sure.
         fine = masks["grate"]
-        self.assertEqual((len(fine), len(fine[0])), (32, 32))
-        middles = [[fine[8 * y + 4][8 * x + 4] for x in range(4)] for y in range(4)]
+        self.assertEqual((len(fine), len(fine[0])), (128, 128))
+        middles = [[fine[32 * y + 16][32 * x + 16] for x in range(4)] for y in range(4)]
         self.assertEqual(middles, [[255 if y == 0 or (x + y) % 2 == 0 else 0 for x in range(4)] for y in range(4)])
 
     def test_cycles_sees_the_same_surfaces_and_light(self):
@@ -179,8 +180,10 @@ class ExportTest(unittest.TestCase):
             material.pop("alphaMode", None)
         shutil.copytree(self.at / "kept", self.at / "solid")
         write_glb(self.at / "solid/scene.glb", tree, binary)
-        parity, _, _ = self.score("solid", "cycles", "sun")
+        parity, _, code = self.score("solid", "cycles", "sun")
+        print(f"Cycles, masks lost: parity {100 * parity:.2f} %", flush=True)
         self.assertLess(parity, MIN_PARITY)
+        self.assertEqual(code, 1)
         text = (self.at / "kept/scene.toml").read_text()
         (self.at / "kept/moved.toml").write_text(text.replace("size = [0.6", "size = [0.3"))
         self.assertNotEqual(text, (self.at / "kept/moved.toml").read_text())
@@ -216,6 +219,19 @@ class ExportTest(unittest.TestCase):
         scenes = json.loads((self.at / "validated/results.json").read_text())["scenes"]
         self.assertEqual(len(scenes), len(LIGHTS))
         self.assertTrue(all(scene["parity"]["passes"] for scene in scenes))
+
+    def test_the_recipe_works(self):
+        page = (SOURCE / "docs/recipes.md").read_text().split('<a id="from-blender"></a>')[1]
+        commands = page.split("```sh\n")[1].split("```")[0].splitlines()
+        self.assertEqual(len(commands), 4)
+        place = self.at / "recipe"
+        place.mkdir()
+        (place / "scripts").symlink_to(SOURCE / "scripts")
+        shutil.copy(self.at / "kept.blend", place / "room.blend")
+        more = {**ENVIRONMENT, "PATH": f"{PROGRAM.parent}:{os.defpath}"}
+        for command in commands:
+            done = subprocess.run(["bash", "-c", command], cwd=place, env=more, capture_output=True, text=True)
+            self.assertEqual(done.returncode, 0, command + done.stdout + done.stderr)
 
     def test_what_cannot_be_carried_over_is_said(self):
         done = self.export("said", "said")

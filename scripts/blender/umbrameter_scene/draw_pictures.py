@@ -115,9 +115,9 @@ def whiten(material, eye):
 
 
 def whiten_all(eye):
-    for material in bpy.data.materials:
-        if not material.is_grease_pencil:
-            whiten(material, eye)
+    known = [material for material in bpy.data.materials if not material.is_grease_pencil]
+    for material in known:
+        whiten(material, eye)
     plain = surfaces.white(eye, PLAN["extent"])
     for thing in bpy.data.objects:
         if thing.type not in ("MESH", "CURVE", "SURFACE", "FONT", "META"):
@@ -126,6 +126,37 @@ def whiten_all(eye):
             thing.data.materials.append(plain)
         for slot in thing.material_slots:
             slot.material = slot.material or plain
+    whiten_bare_geometry(known, plain)
+
+
+def whiten_bare_geometry(known, plain):
+    """What geometry nodes made without any of the `known` materials becomes `plain`."""
+    tree = bpy.data.node_groups.new("bare", "GeometryNodeTree")
+    tree.inputs.new("NodeSocketGeometry", "Geometry")
+    tree.outputs.new("NodeSocketGeometry", "Geometry")
+    given, made = tree.nodes.new("NodeGroupInput"), tree.nodes.new("NodeGroupOutput")
+    paint = tree.nodes.new("GeometryNodeSetMaterial")
+    paint.inputs["Material"].default_value = plain
+    tree.links.new(given.outputs[0], paint.inputs["Geometry"])
+    tree.links.new(paint.outputs["Geometry"], made.inputs[0])
+
+    def boolean(operation, *inputs):
+        node = tree.nodes.new("FunctionNodeBooleanMath")
+        node.operation = operation
+        for value, wanted in zip(inputs, node.inputs):
+            tree.links.new(value, wanted)
+        return node.outputs[0]
+
+    has_one = None
+    for material in known:
+        select = tree.nodes.new("GeometryNodeMaterialSelection")
+        select.inputs["Material"].default_value = material
+        has_one = boolean("OR", has_one, select.outputs[0]) if has_one else select.outputs[0]
+    if has_one:
+        tree.links.new(boolean("NOT", has_one), paint.inputs["Selection"])
+    for thing in bpy.data.objects:
+        if any(modifier.type == "NODES" for modifier in thing.modifiers):
+            thing.modifiers.new("bare", "NODES").node_group = tree
 
 
 def add_light(scene, light):

@@ -5,8 +5,8 @@ import zlib
 
 import numpy
 
-FINEST = 8  # texels of a mask a texel of a picture that is interpolated
-MAX_TEXELS = 4096  # a side
+FINEST = 32  # texels of a mask a texel of a picture that is interpolated
+MAX_TEXELS = 2048  # a side, for that
 
 
 def of_texture(node, refine):
