@@ -160,6 +160,8 @@ def main():
         if options.install_addon:
             print(f"installed {install_addon()}", file=answer)
             return 0
+        if not bpy.data.filepath:
+            raise Refused("no file is open (blender -b FILE.blend -P umbrameter_blender.py -- --out DIR)")
         summary, warnings, commands = run(options.out, options.camera, options.light, options.width, options.pictures,
                                           options.samples, options.seed)
     except (Refused, OSError) as why:

@@ -204,13 +204,12 @@ class ExportTest(unittest.TestCase):
     def test_eevee_sees_the_same_surfaces(self):
         if not shutil.which("Xvfb"):
             self.skipTest("NOT CHECKED: EEVEE needs Xvfb")
-        done = self.export("kept", "eevee", "--light", "lamp", "--light", "sun", "--pictures", "eevee", "--samples", "8")
+        done = self.export("kept", "eevee", "--light", "lamp", "--pictures", "eevee", "--samples", "8")
         self.assertEqual(done.returncode, 0, done.stderr)
-        for light in ("lamp", "sun"):
-            parity, rmse, _ = self.score("eevee", "eevee", light, quantity="visibility")
-            print(f"EEVEE with 8 samples, {light}: parity {100 * parity:.2f} %, RMSE {rmse:.4f}", flush=True)
-            self.assertGreaterEqual(parity, MIN_PARITY)
-            self.assertLess(rmse, 0.3)  # upright and lit from the same side
+        parity, rmse, _ = self.score("eevee", "eevee", "lamp", quantity="visibility")
+        print(f"EEVEE with 8 samples, lamp: parity {100 * parity:.2f} %, RMSE {rmse:.4f}", flush=True)
+        self.assertGreaterEqual(parity, MIN_PARITY)
+        self.assertLess(rmse, 0.3)  # upright and lit from the same side
 
     def test_validate_reads_it(self):
         done = umbrameter("validate", self.at / "kept/scene.toml", "--technique", "hard", "--technique", "pcss", "--width", "120",
@@ -260,6 +259,9 @@ class ExportTest(unittest.TestCase):
             self.assertEqual(len([line for line in lines if "error" in line]), 1, lines)
             self.assertTrue(any(line.startswith("umbrameter_blender: error: ") and wanted in line for line in lines), lines)
             self.assertFalse((self.at / "x").exists())
+        done = run(["blender", "-b", "--factory-startup", "-P", EXPORT, "--", "--out", self.at / "x"])
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("error: no file is open", done.stderr)
 
     def test_the_add_on_is_in_the_menu(self):
         home = self.at / "home"
