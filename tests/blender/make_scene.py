@@ -76,12 +76,21 @@ def image_node(nodes, image, interpolation):
 
 
 def leaf_of_alpha():
-    """Principled with the picture's alpha, clipped."""
+    """Principled in a group, with the picture's alpha, clipped."""
+    group = bpy.data.node_groups.new("surface", "ShaderNodeTree")
+    group.inputs.new("NodeSocketFloat", "Alpha")
+    group.outputs.new("NodeSocketShader", "Shader")
+    start, end, shader = (group.nodes.new(kind) for kind in ("NodeGroupInput", "NodeGroupOutput", "ShaderNodeBsdfPrincipled"))
+    group.links.new(start.outputs["Alpha"], shader.inputs["Alpha"])
+    group.links.new(shader.outputs[0], end.inputs[0])
     material = bpy.data.materials.new("leaf")
     material.use_nodes = True
     nodes, links = material.node_tree.nodes, material.node_tree.links
     picture = image_node(nodes, checkerboard("leaf_alpha", 8, True), "Closest")
-    links.new(picture.outputs["Alpha"], nodes["Principled BSDF"].inputs["Alpha"])
+    inner = nodes.new("ShaderNodeGroup")
+    inner.node_tree = group
+    links.new(picture.outputs["Alpha"], inner.inputs["Alpha"])
+    links.new(inner.outputs[0], nodes["Material Output"].inputs["Surface"])
     material.blend_method, material.alpha_threshold = "CLIP", 0.4
     return material
 

@@ -20,7 +20,7 @@ sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[1]), str(pathlib.Pa
 import exported
 import pictures
 import surfaces
-from umbrameter_scene import exr, folder, space
+from umbrameter_scene import exr, folder, masks, space
 
 
 def set_up_scene(scene):
@@ -55,14 +55,30 @@ def set_up_camera(scene):
     scene.camera = thing
 
 
+def solid_of_group(node, output):
+    """The same of a group's shader: the group gets one more output."""
+    tree = node.node_tree
+    end = next(one for one in tree.nodes if one.type == "GROUP_OUTPUT" and one.is_active_output)
+    given = solid_of(tree.nodes, tree.links, masks.matching(end.inputs, output))
+    if not isinstance(given, bpy.types.NodeSocket):
+        return given
+    tree.outputs.new("NodeSocketFloat", "solid")
+    index = len(tree.outputs) - 1
+    tree.links.new(given, end.inputs[index])
+    return node.outputs[index]
+
+
 def solid_of(nodes, links, socket):
-    """A number, or a socket of one: how solid the shader at `socket` is. Blender computes it, not our masks;
-    what is inside groups is said where the pictures are asked for."""
+    """A number, or a socket of one: how solid the shader at `socket` is. Blender computes it, not our masks."""
     if not socket.is_linked:
         return 1.0
     node = socket.links[0].from_node
     if node.type == "REROUTE":
         return solid_of(nodes, links, node.inputs[0])
+    if node.type == "GROUP":
+        return solid_of_group(node, socket.links[0].from_socket)
+    if node.type == "GROUP_INPUT":
+        raise RuntimeError(f"a shader with a mask goes through the input of a group, '{node.id_data.name}', which pictures cannot show")
     if node.type == "BSDF_TRANSPARENT":
         return 0.0
     if node.type == "BSDF_PRINCIPLED":

@@ -54,9 +54,6 @@ def draw(export, engine, samples, seed, said):
     for image in bpy.data.images:
         if image.is_dirty:
             said.add("pictures that were changed and not saved are drawn as the file has them", image.name)
-    for mask in export.masks:
-        if mask.is_grouped:
-            said.add("masks of shaders inside node groups are solid in pictures", mask.material)
     folders = {keys["name"]: folder_name(keys["name"]) for keys, _ in export.lights}
     camera = export.camera
     plan = {"engine": engine, "engines": str(ENGINES), "out": str(export.out / engine), "values": values, "seed": seed,

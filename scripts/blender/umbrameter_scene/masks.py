@@ -40,7 +40,6 @@ class Mask:
     uv_layer: str = ""  # empty: the one for renders
     uv_transform: numpy.ndarray = dataclasses.field(default_factory=lambda: numpy.eye(3))
     extension: str = "REPEAT"
-    is_grouped: bool = False  # its shader is inside a node group
 
 
 def source_of(socket, groups):
@@ -72,13 +71,12 @@ class Alpha:
     def __init__(self, refine):
         self.refine = refine
         self.texture = None
-        self.is_glass = self.is_bright = self.is_grouped = False
+        self.is_glass = self.is_bright = False
 
     def of_surface(self, socket, groups=()):
         output, groups, _ = source_of(socket, groups)
         if output is None:
             return 1.0
-        self.is_grouped |= len(groups) > 0
         node = output.node
         if node.type == "MIX_SHADER":
             share = self.number(node.inputs["Fac"], groups)
@@ -231,4 +229,4 @@ class Masks:
             self.said.add("materials that are transparent everywhere are holes", material.name)
             return Mask(material.name, material.name, solid.reshape(1, 1), threshold)
         return Mask(fine.texture.image.name, material.name, solid, threshold, fine.uv_layer, fine.uv_transform,
-                    fine.texture.extension, fine.is_grouped)
+                    fine.texture.extension)
