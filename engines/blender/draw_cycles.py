@@ -3,6 +3,7 @@
 NAME = "Cycles"
 DEVICE = "CPU"
 SAMPLES = "samples"
+FILTER_PX = 1e-4  # a pixel whose samples see two surfaces has no one visibility
 
 
 def set_up(scene, body, light, values, seed):
@@ -17,6 +18,7 @@ def set_up(scene, body, light, values, seed):
     settings.light_sampling_threshold = 0.0
     settings.pixel_filter_type = "BLACKMAN_HARRIS"
     settings.filter_width = 0.01
+    scene["cycles"]["filter_width"] = FILTER_PX  # the property itself stops at 0.01
     # Both move shadows away from where smooth normals say that they begin.
     body.cycles.shadow_terminator_offset = 0.0
     body.cycles.shadow_terminator_geometry_offset = 0.0

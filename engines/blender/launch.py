@@ -28,9 +28,9 @@ def end_with_parent():
 
 
 def start_display():
-    """The name of a new X display without a screen to look at."""
+    """The name of a new X display without a screen to look at. RuntimeError: why there is none."""
     if shutil.which("Xvfb") is None:
-        give_up("EEVEE needs a display: install xvfb")
+        raise RuntimeError("EEVEE needs a display: install xvfb")
     reader, writer = os.pipe()
     subprocess.Popen(["Xvfb", "-displayfd", str(writer), "-screen", "0", "64x64x24", "-nolisten", "tcp"],
                      pass_fds=(writer,), stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
@@ -38,7 +38,7 @@ def start_display():
     os.close(writer)
     number = os.read(reader, 64).decode().strip()
     if not number:
-        give_up("EEVEE needs a display, and Xvfb does not start")
+        raise RuntimeError("EEVEE needs a display, and Xvfb does not start")
     return ":" + number
 
 
@@ -49,7 +49,10 @@ def main():
         give_up("Blender is not installed")
     if engine == "eevee":
         os.environ.pop("WAYLAND_DISPLAY", None)
-        os.environ["DISPLAY"] = start_display()
+        try:
+            os.environ["DISPLAY"] = start_display()
+        except RuntimeError as why:
+            give_up(str(why))
         os.environ["LIBGL_ALWAYS_SOFTWARE"] = "1"
     answers = os.dup(1)
     os.set_inheritable(answers, True)
@@ -60,4 +63,5 @@ def main():
                        engine, str(answers)])
 
 
-main()
+if __name__ == "__main__":
+    main()

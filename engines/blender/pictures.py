@@ -23,9 +23,8 @@ def draw(scene, out, passes=("Image",)):
     for name in passes:
         files.file_slots.new(name + "-")
         links.new(source.outputs[name], files.inputs[name + "-"])
-    scene.frame_set(1)
     bpy.ops.render.render()
-    return [read_pixels(out / f"{name}-0001.exr") for name in passes]
+    return [read_pixels(out / f"{name}-{scene.frame_current:04d}.exr") for name in passes]
 
 
 def read_pixels(path):

@@ -18,8 +18,14 @@ def white(eye, extent):
     material = bpy.data.materials.new("white")
     material.use_nodes = True
     material.use_backface_culling = False
+    material.node_tree.nodes.clear()
+    paint(material, eye, extent)
+    return material
+
+
+def paint(material, eye, extent, solid=None):
+    """Adds that to a material's nodes. `solid`: a socket that is 1 where there is a surface and 0 in holes."""
     nodes, links = material.node_tree.nodes, material.node_tree.links
-    nodes.clear()
 
     def vector_math(operation, a, b):
         node = nodes.new("ShaderNodeVectorMath")
@@ -33,7 +39,14 @@ def white(eye, extent):
 
     diffuse = nodes.new("ShaderNodeBsdfDiffuse")
     diffuse.inputs["Color"].default_value = (1.0, 1.0, 1.0, 1.0)
-    links.new(diffuse.outputs[0], nodes.new("ShaderNodeOutputMaterial").inputs["Surface"])
+    shader = diffuse.outputs[0]
+    if solid is not None:
+        mix = nodes.new("ShaderNodeMixShader")
+        links.new(solid, mix.inputs["Fac"])
+        links.new(nodes.new("ShaderNodeBsdfTransparent").outputs[0], mix.inputs[1])
+        links.new(shader, mix.inputs[2])
+        shader = mix.outputs[0]
+    links.new(shader, nodes.new("ShaderNodeOutputMaterial").inputs["Surface"])
     geometry = nodes.new("ShaderNodeNewGeometry").outputs
     step = 2.0 ** math.ceil(math.log2(extent / STEPS))
     towards = vector_math("SUBTRACT", geometry["Position"], eye)
@@ -42,8 +55,9 @@ def white(eye, extent):
     for name, value in zip(AOVS, (coarse, fine, geometry["True Normal"])):
         output = nodes.new("ShaderNodeOutputAOV")
         output.name = name
+        if solid is not None:  # Cycles adds up what it meets on its way through holes
+            value = vector_math("MULTIPLY", value, solid)
         links.new(value, output.inputs["Color"])
-    return material
 
 
 def from_aovs(eye, is_hit, coarse, fine, normal):

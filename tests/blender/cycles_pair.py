@@ -2,7 +2,7 @@
 """Renders an exported scene with Cycles, once with shadows and once without (docs/your-engine.md).
 
 blender -b --factory-startup -P cycles_pair.py -- EXPORT_FOLDER OUT_FOLDER WIDTH HEIGHT SAMPLES
-writes OUT_FOLDER/lit.exr and unlit.exr. White diffuse surfaces, no bounces, a pixel filter of 0.01 px.
+writes OUT_FOLDER/lit.exr and unlit.exr. White diffuse surfaces, no bounces, samples through pixels' centres.
 """
 import json
 import os

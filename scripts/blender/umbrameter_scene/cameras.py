@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Blender's cameras as ours: an eye, a direction and a vertical field of view, in square pixels."""
+import dataclasses
+import math
+
+import numpy
+
+from . import space
+
+
+@dataclasses.dataclass
+class Camera:
+    name: str
+    eye: numpy.ndarray  # Blender's world, as the two directions
+    forward: numpy.ndarray
+    up: numpy.ndarray
+    vertical_fov_deg: float
+    near: float  # Blender's units
+    width_px: int
+    height_px: int
+    is_wider: bool = False  # than Blender's: shifted, or of pixels that are not square
+
+    def toml(self, middle, metres):
+        """Keys of [camera]. `at` lies where the scene's middle is, along the view."""
+        ahead = float(numpy.dot(middle - self.eye, self.forward))
+        at = self.eye + (ahead if ahead > 0.0 else 1.0) * self.forward
+        return {"eye": space.point(self.eye, metres), "at": space.point(at, metres), "up": space.direction(self.up),
+                "fov_deg": self.vertical_fov_deg, "near": self.near * metres}
+
+
+def picture_size(scene, width):
+    """(width, height) in pixels: the render's, or `width` wide."""
+    render = scene.render
+    full = [max(1, side * render.resolution_percentage // 100) for side in (render.resolution_x, render.resolution_y)]
+    return tuple(full) if not width else (width, max(1, round(full[1] * width / full[0])))
+
+
+def read(thing, depsgraph, scene, size, said):
+    """None for a camera that is not perspective."""
+    data = thing.evaluated_get(depsgraph).data
+    if data.type != "PERSP":
+        said.add("cameras that are not perspective are left out", thing.name)
+        return None
+    if data.dof.use_dof:
+        said.add("cameras' depth of field is left out", thing.name)
+    render = scene.render
+    clip_from_view = thing.evaluated_get(depsgraph).calc_matrix_camera(
+        depsgraph, x=size[0], y=size[1], scale_x=render.pixel_aspect_x, scale_y=render.pixel_aspect_y)
+    low, high = (numpy.array([(side + clip_from_view[i][2]) / clip_from_view[i][i] for i in (0, 1)]) for side in (-1.0, 1.0))
+    px_per_slope = size[1] / (high[1] - low[1])
+    width, height = (math.ceil(2.0 * px_per_slope * max(-low[i], high[i]) - 1e-3) for i in (0, 1))
+    is_wider = (width, height) != tuple(size)
+    if is_wider:
+        first, last = (px_per_slope * side + numpy.array([width, height]) / 2.0 for side in (low, high))
+        said.add(f"shifted or anamorphic cameras see more: pictures have {width} x {height} px, and Blender's is columns {first[0]:.0f} "
+                 f"to {last[0]:.0f} and rows {height - last[1]:.0f} to {height - first[1]:.0f} of them", thing.name)
+    matrix = numpy.array(thing.evaluated_get(depsgraph).matrix_world, dtype=float)
+    right, up, back = (matrix[:3, i] / numpy.linalg.norm(matrix[:3, i]) for i in range(3))
+    return Camera(thing.name, matrix[:3, 3], -back, up, math.degrees(2.0 * math.atan(height / (2.0 * px_per_slope))),
+                  data.clip_start, width, height, is_wider)
