@@ -14,7 +14,7 @@
 #include "study/results_json.h"
 #include "study/similarity_format.h"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 namespace umbrameter {
@@ -96,10 +96,12 @@ std::optional<std::string> objection(const PictureScore& picture, double min_sco
   if (!score.parity.passes) return "the picture and the reference show other surfaces; no score";
   if (auto reason = unmeasured(score.error->scored_pixels, score.scorable_pixels, min_scored)) return reason;
   const auto& [significance, verdict, limit] = score.judgement;
-  if (limit && limit->outcome == LimitOutcome::fail) return "the RMSE is above --limit";
+  std::vector<std::string> reasons;
+  if (limit && limit->outcome == LimitOutcome::fail) reasons.push_back("the RMSE is above --limit");
   if (verdict && verdict->outcome == Comparison::worse)
-    return fmt::format("worse than the baseline '{}'", verdict->baseline);
-  return std::nullopt;
+    reasons.push_back(fmt::format("worse than the baseline '{}'", verdict->baseline));
+  if (reasons.empty()) return std::nullopt;
+  return fmt::format("{}", fmt::join(reasons, ", and "));
 }
 
 /// What a pair shows is known only to who made it; a gate must not guess.

@@ -5,11 +5,13 @@
 #include "cli/sweep_verbs.h"
 #include "core/error.h"
 #include "core/files.h"
+#include "core/names.h"
 #include "study/sweep/merge.h"
 #include "study/sweep/verdicts.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -51,10 +53,19 @@ struct ExportOptions {
   std::string baseline;
 };
 
+void require_label(const std::vector<RunRecord>& runs, const std::string& label) {
+  std::vector<std::string> known;
+  for (const RunRecord& run : runs) known.push_back(run.result.label);
+  if (label.empty() || std::ranges::find(known, label) != known.end()) return;
+  fail_input(fmt::format("no stored run is labelled '{}', which --baseline names", label), {},
+             suggest_name(label, known));
+}
+
 int export_store(const ExportOptions& options, const GlobalOptions& global) {
   if (options.csv && global.json) fail_input("both --csv and --json are given", {}, "choose one");
   Store store(options.folder, Database::Mode::read);
   StoredRuns runs = stored_runs(store, options.all);
+  require_label(runs.runs, options.baseline);
   judge_runs(store, runs.runs, options.baseline);
   print_warnings(store);
   if (runs.older > 0)

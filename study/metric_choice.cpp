@@ -3,6 +3,9 @@
 
 #include "core/error.h"
 #include "core/names.h"
+#include "study/catalogue.h"
+
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -22,7 +25,10 @@ MetricChoice choose_metrics(std::string_view list) {
     if (name == "diagnosis") choice.diagnosis = true;
     if (name == "similarity") choice.similarity = true;
     if (std::find(known.begin(), known.end(), name) == known.end()) {
-      fail_input(fmt::format("unknown metric '{}'", name), {}, suggest_name(name, known));
+      const Metric* row = find_metric(name);
+      if (row == nullptr) fail_input(fmt::format("unknown metric '{}'", name), {}, suggest_name(name, known));
+      fail_input(fmt::format("'{}' is one number; --metrics takes whole parts", name), {},
+                 fmt::format("known: {}", fmt::join(known, ", ")));
     }
     begin = end + 1;
   }

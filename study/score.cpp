@@ -63,6 +63,7 @@ Score score_image(const Image& test, const Image& reference, const glm::dvec3& e
   score.mask = scored_mask(score.parity, reference);
   for (size_t i = 0; i < settings.known.size(); ++i) score.mask[i] &= settings.known[i];
   score.error = measure_visibility_error(test, reference, score.mask);
+  if (score.error->scored_pixels == 0) return score;  // nothing is neither right nor alike
   if (reference.has("irradiance_half_a")) score.lit_rmse = measure_lit_error(test, reference, score.mask);
   score.measured = measure_rows({test, reference, score.mask});
   if (settings.maps) score.maps = Image(test.width, test.height);

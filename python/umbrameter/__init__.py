@@ -55,7 +55,7 @@ def techniques() -> Sequence[Mapping[str, Any]]:
 def metrics() -> Sequence[Mapping[str, Any]]:
     """Every number that a run is given: key, label, group, unit, better (lower, higher, nearest_zero, nearest_one), form and doc.
     Columns of frames().runs and `record["measurements"]` of a score are called by their keys."""
-    return METRICS
+    return [dict(metric) for metric in METRICS]
 
 
 def engines() -> Sequence[Mapping[str, Any]]:

@@ -14,7 +14,7 @@ def run_row(run: Record) -> Row:
     """A technique's entry of results.json."""
     error, faults, verdict = run["error"] or {}, run.get("faults") or {}, run.get("verdict") or {}
     row = {**identity(run), **interval("rmse", error.get("rmse")), **interval("mse", error.get("mse"))}
-    measurements = run.get("measurements") or {}
+    measurements = run["measurements"] if "measurements" in run else _older_measurements(run)
     row.update({metric["key"]: measurements.get(metric["key"]) for metric in METRICS})
     row.update({f"fault.{name}": part["mean_abs_error"] for name, part in (faults.get("classes") or {}).items()})
     for name in ("noise_floor_mse", "scored_pixels"):
@@ -25,6 +25,18 @@ def run_row(run: Record) -> Row:
                 "verdict": verdict.get("outcome"), **interval("mse_difference", verdict.get("mse_difference")),
                 "device": run["device"], "image": run["image_file"]})
     return {**row, **parameters(run)}
+
+
+def _older_measurements(run: Record) -> Row:
+    """Of files from before `measurements`, those numbers that have a place of their own."""
+    error, penumbra, similarity = run["error"] or {}, run.get("penumbra") or {}, run.get("similarity") or {}
+    values: Row = {**similarity, "rmse": (error.get("rmse") or {}).get("value"), "lit_rmse": run.get("lit_rmse"),
+                   "contact_hardening_slope": (run.get("contact_hardening") or {}).get("slope"),
+                   "memory_bytes": run.get("memory_bytes")}
+    values.update({name: error.get(name) for name in ("bias", "mae", "max_error", "over_shadowing", "under_shadowing")})
+    values.update({f"{region}.rmse": (error.get(region) or {}).get("rmse") for region in ("lit", "umbra", "penumbra")})
+    values.update({name: (penumbra.get(name) or {}).get("median") for name in ("width_octaves", "offset_widths", "offset_world")})
+    return values
 
 
 def identity(run: Record) -> Row:

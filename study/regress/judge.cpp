@@ -47,13 +47,17 @@ std::string gate_message(const GateVerdict& gate) {
                      name_of(*gate.kind), m->value.value_or(0.0), m->severity(), m->baseline.value_or(0.0));
 }
 
-// Only the RMSE has an interval: a limit inside of it is undecided.
+// Only the RMSE has an interval: a limit inside of it is undecided. What was not measured never passes.
 CaseVerdict judge_limits(const CaseNumbers& now, const RegressGates& gates) {
   CaseVerdict verdict;
   for (const auto& [name, limit] : gates.at_most) {
     const bool is_rmse = name == "rmse";
     const auto found = now.measures.find(name);
-    if (!is_rmse && found == now.measures.end()) continue;
+    if (!is_rmse && found == now.measures.end())
+      return {CaseOutcome::fail,
+              "limit",
+              fmt::format("{} has a limit of {:.4g} and was not measured", name, limit),
+              {}};
     const Interval value = is_rmse ? rmse_of(now) : Interval{found->second, found->second, found->second};
     if (value.high <= limit) continue;
     const bool fails = value.low > limit;

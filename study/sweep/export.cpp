@@ -36,8 +36,12 @@ auto order_of(const RunRecord& record) {
 std::vector<RunRecord> newest(std::vector<RunRecord> runs) {
   std::map<std::string, RunRecord> by_identity;
   for (RunRecord& run : runs) {
-    RunRecord& kept = by_identity[identity_of(run)];
-    if (kept.head.started < run.head.started) kept = std::move(run);
+    const std::string identity = identity_of(run);
+    const auto kept = by_identity.find(identity);
+    if (kept == by_identity.end())
+      by_identity.emplace(identity, std::move(run));
+    else if (kept->second.head.started < run.head.started)
+      kept->second = std::move(run);
   }
   std::vector<RunRecord> all;
   for (auto& [identity, run] : by_identity) all.push_back(std::move(run));

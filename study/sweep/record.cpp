@@ -63,6 +63,7 @@ RecordHead make_head(const std::string& name, const Scene& scene, const PictureQ
 
 std::string status_of(const RunRecord& record) {
   if (record.result.failure) return "failed";
+  if (record.result.error && record.result.error->scored_pixels == 0) return "void";
   return record.parity && !record.parity->passes ? "void" : "ok";
 }
 

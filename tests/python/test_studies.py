@@ -167,6 +167,14 @@ class Records(InFolder):
         record = um.command("validate", "plate", "--technique", "hard", "--width", 96, "--height", 54, "--spp", 32, "-o", out)
         run = record["scenes"][0]["techniques"][0]
         row = um.frames(out).runs.iloc[0]
+        older = json.loads((out / "results.json").read_text())
+        for one in older["scenes"][0]["techniques"]:
+            del one["measurements"]
+        (self.folder / "older").mkdir()
+        (self.folder / "older" / "results.json").write_text(json.dumps(older))
+        before = um.frames(self.folder / "older").runs.iloc[0]
+        for name in ("rmse", "rmse_low", "bias", "max_error", "penumbra.rmse", "flip_mean", "fault.acne", "memory_bytes"):
+            self.assertEqual(before[name], row[name], name)
         self.assertEqual(row["rmse_low"], run["error"]["rmse"]["low"])
         self.assertEqual(row["penumbra.rmse"], run["error"]["penumbra"]["rmse"])
         self.assertEqual(row["width_octaves"], run["penumbra"]["width_octaves"]["median"])

@@ -99,6 +99,17 @@ TEST(Catalogue, IsWhatFilesHoldOfARun) {
   for (const Metric& metric : metric_catalogue()) EXPECT_EQ(metric.of(read), metric.of(run)) << metric.key;
 }
 
+TEST(Catalogue, ARunWithoutAScoredPixelIsVoid) {
+  TechniqueResult run = measured_run();
+  run.failure = Failure{ErrorKind::input, "does not compile"};
+  RunRecord record;
+  record.result = run;
+  EXPECT_EQ(status_of(record), "failed");
+  record.result.failure.reset();
+  record.result.error->scored_pixels = 0;
+  EXPECT_EQ(status_of(record), "void");
+}
+
 TEST(Catalogue, RowsMeasuredFromPicturesStandInBaselines) {
   for (const Metric& metric : metric_catalogue()) {
     const bool is_named = std::ranges::find(measure_names(), metric.key) != measure_names().end();

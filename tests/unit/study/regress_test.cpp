@@ -123,6 +123,14 @@ TEST(RegressJudge, ALimitHoldsWhateverTheBaselineSays) {
   EXPECT_EQ(judge_case(numbers_of(0.001), numbers_of(0.001), gates).outcome, CaseOutcome::fail);
 }
 
+TEST(RegressJudge, WhatIsLimitedAndWasNotMeasuredFails) {
+  RegressGates gates;
+  gates.at_most = {{"hardening_slope", 2.0}};
+  const CaseVerdict verdict = judge_case(numbers_of(0.001), numbers_of(0.001), gates);
+  EXPECT_EQ(verdict.outcome, CaseOutcome::fail);
+  EXPECT_THAT(verdict.message, HasSubstr("hardening_slope has a limit of 2 and was not measured"));
+}
+
 TEST(RegressJudge, TimesMayGrowByTheirRatioAndNoise) {
   const BaselineTime before = {10.0, 0.5, 9};
   EXPECT_FALSE(judge_time({12.0, 0.5, 9}, before, 1.1));

@@ -38,6 +38,18 @@ TEST(ScoreImage, ScoresOnlyWhatIsKnownOfThePictureAndCountsWhatTheTruthCanScore)
   EXPECT_EQ(score.scorable_pixels, 39u * kFakeHeight_px);
 }
 
+TEST(ScoreImage, SaysNothingOfNoPixel) {
+  const Image test = technique_image(0.0f);
+  const std::vector<uint8_t> known(test.pixel_count(), 0);
+  ScoreSettings settings;
+  settings.known = known;
+  const Score score = score_image(test, reference_image(), {0, 10, 0}, settings);
+  ASSERT_TRUE(score.error);
+  EXPECT_EQ(score.error->scored_pixels, 0u);
+  EXPECT_FALSE(score.similarity || score.diagnosis || score.lit_rmse || score.judgement.significance);
+  EXPECT_TRUE(score.measured.empty());
+}
+
 TEST(ScoreImage, GivesNoNumberWhenParityFails) {
   Image test = technique_image(0.0f);
   for (float& primitive : test.plane("primitive_id")) primitive = -1.0f;
