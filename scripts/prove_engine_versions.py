@@ -32,14 +32,15 @@ label = "{label}"
 technique = "{technique}"
 values = {{ {values} }}
 """
-# What each engine is asked for, the file that differs between versions, and the line of its page that breaks the bias.
+# What each engine is asked for, the file that differs between versions, the line of its page that breaks the bias, and what that looks
+# like. Filament's map holds the faces towards the light: too large a bias leaves the box's contact dark and lights the shadow's far end.
 ENGINES = {
     "three": {"values": 'type = "pcf", shadowSide = "double", "shadow.mapSize" = 1024, "shadow.bias" = -0.002',
               "bytes": "three/build/three.module.js",
-              "sound": "  return light;\n", "broken": "  shadow.bias = -0.04;\n  return light;\n"},
+              "sound": "  return light;\n", "broken": "  shadow.bias = -0.04;\n  return light;\n", "named": "peter_panning"},
     "filament": {"values": 'type = "pcf"', "bytes": "filament/filament.wasm",
                  "sound": "shadows.apply(shadowValues(values));",
-                 "broken": "shadows.apply({...shadowValues(values), constantBias: 0.2, normalBias: 20});"},
+                 "broken": "shadows.apply({...shadowValues(values), constantBias: 0.2});", "named": "geometric_leak"},
 }
 
 
@@ -107,7 +108,8 @@ def check_unchanged(gate, suite_file, other, checks):
 
 def versions_of(cases, name):
     """As the engine itself says, recorded and checked; the device's name follows after a comma."""
-    pairs = {tuple(case[when]["device"].split(",")[0] for when in ("before", "now")) for case in cases if case["label"] == name and case["now"]}
+    pairs = {tuple(case[when]["device"].split(",")[0] for when in ("before", "now"))
+             for case in cases if case["label"] == name and case["now"]}
     if len(pairs) != 1:
         raise SystemExit(f"prove_engine_versions: {name} was checked with more than one pair of versions, or with none: {pairs}")
     return pairs.pop()
@@ -139,12 +141,12 @@ def prove(program, checks, installed, other, folder):
     rows = rows_of(cases, installed, other)
     broken_pages(broken)
     _, result = gate.run("check", suite(broken, lambda name: f"./{name}"), other)
-    kinds = {case["label"]: case["kind"] if case["outcome"] == "fail" else case["outcome"] for case in result["cases"] if case["scene"] == SCENE_OF_BIAS}
-    named = sum(kind == "peter_panning" for kind in kinds.values())
-    text = f"{passed} of {checks} checks under the other versions pass, on {' and '.join(SCENES)}. " \
-           f"With a broken bias under these versions {named} of {len(ENGINES)} fail as peter panning on {SCENE_OF_BIAS}.\n\n" \
-           + table(("recorded, SHA-256 of its code", "checked", "cases"), rows)
-    return text, passed == checks and named == len(ENGINES), kinds
+    kinds = {case["label"]: case["kind"] if case["outcome"] == "fail" else case["outcome"]
+             for case in result["cases"] if case["scene"] == SCENE_OF_BIAS}
+    rows = [(*row, kinds[name].replace("_", " ")) for name, row in zip(ENGINES, rows)]
+    text = f"{passed} of {checks} checks under the other versions pass, on {' and '.join(SCENES)}.\n\n" \
+           + table(("recorded, SHA-256 of its code", "checked", "cases", f"its bias broken, on {SCENE_OF_BIAS}"), rows)
+    return text, passed == checks and kinds == {name: engine["named"] for name, engine in ENGINES.items()}, kinds
 
 
 def main():
@@ -154,10 +156,11 @@ def main():
     parser.add_argument("-n", type=int, default=50)
     arguments = parser.parse_args()
     installed = pathlib.Path(os.environ.get("UMBRAMETER_ENGINES") or ROOT / "engines" / "installed").absolute()
+    other, program = installed / "other_versions", os.path.abspath(arguments.program)
     try:
-        require_engines(installed, installed / "other_versions")
+        require_engines(installed, other)
         with tempfile.TemporaryDirectory() as folder:
-            text, is_proved, kinds = prove(os.path.abspath(arguments.program), arguments.n, installed, installed / "other_versions", pathlib.Path(folder))
+            text, is_proved, kinds = prove(program, arguments.n, installed, other, pathlib.Path(folder))
     except Missing as missing:
         print(f"prove_engine_versions: SKIPPED: {missing}", file=sys.stderr)
         return 3
