@@ -37,8 +37,8 @@ def main():
     results = [json.loads(file.read_text()) for file in sorted(pathlib.Path(sys.argv[1]).glob("*.json"))]
     rows = [row_of(result) for result in results]
     counts = ", ".join(f"{sum(row[5] == kind for row in rows)} {kind}" for kind in ("won", "tied", "lost"))
-    first = results[0]
-    text = (f'{first["width_px"]} x {first["height_px"]} px, seed {first["seed"]}, commit {first["commit"]}. {len(rows)} pairs: {counts}.\n\n'
+    first, commits = results[0], ", ".join(dict.fromkeys(result["commit"] for result in results))
+    text = (f'{first["width_px"]} x {first["height_px"]} px, seed {first["seed"]}, commit {commits}. {len(rows)} pairs: {counts}.\n\n'
             + table(("scene", "engine", "default's RMSE", "tuned RMSE", "gain [95 %]", "", "tuned"), rows))
     replace_measured(pathlib.Path(sys.argv[2]), SCRIPT, text)
 
