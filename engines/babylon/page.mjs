@@ -131,9 +131,16 @@ function whiteMaterial(scene) {
   return material;
 }
 
+// As whenReadyAsync(), which asks again only after a tenth of a second: longer than a picture takes.
+async function whenReady(scene) {
+  let is_told = false;
+  scene.executeWhenReady(() => { is_told = true; });
+  while (!is_told && !scene.isReady()) await new Promise(resolve => setTimeout(resolve, 1));
+}
+
 async function draw(scene, target, body, material) {
   body.material = material;
-  await scene.whenReadyAsync();
+  await whenReady(scene);
   scene.render();
   return target.readPixels();
 }
