@@ -33,7 +33,7 @@ OrderedJson row(const OrderedJson& sweep, const char* name, size_t count, const 
 OrderedJson window_json(const OrderedJson& sweep, const std::string& unit) {
   if (!sweep.at("is_complete").get<bool>()) return nullptr;
   if (!sweep.at("has_window").get<bool>()) return {{"empty", true}, {"low", nullptr}, {"high", nullptr}};
-  const char* measure = unit == "texels" ? "texels" : "world";
+  const char* measure = unit == "texels" || unit == "world" ? unit.c_str() : "value";
   return {{"empty", false},
           {"low", sweep.at("acne_free_from").at(measure).get<double>()},
           {"high", sweep.at("peter_pan_free_to").at(measure).get<double>()}};

@@ -131,15 +131,22 @@ function whiteMaterial(scene) {
   return material;
 }
 
+// As whenReadyAsync(), which asks again only after a tenth of a second: longer than a picture takes.
+async function whenReady(scene) {
+  let is_told = false;
+  scene.executeWhenReady(() => { is_told = true; });
+  while (!is_told && !scene.isReady()) await new Promise(resolve => setTimeout(resolve, 1));
+}
+
 async function draw(scene, target, body, material) {
   body.material = material;
-  await scene.whenReadyAsync();
+  await whenReady(scene);
   scene.render();
   return target.readPixels();
 }
 
 export async function render(request) {
-  const {width_px: width, height_px: height, parameters: values, scene: description, mesh} = request;
+  const {width_px: width, height_px: height, parameters: values, scene: description, mesh, known} = request;
   const scene = new BABYLON.Scene(engine);
   try {
     scene.useRightHandedSystem = true;
@@ -151,16 +158,17 @@ export async function render(request) {
       {type: BABYLON.Constants.TEXTURETYPE_FLOAT, samplingMode: BABYLON.Texture.NEAREST_SAMPLINGMODE, generateMipMaps: false});
     camera.outputRenderTarget = target;
     const places = surfaceMaterial(scene, "position", description.camera.eye_world);
-    camera.minZ = nearPlane(description.camera, await draw(scene, target, body, places));
-    const position = await draw(scene, target, body, places);
-    const normal = await draw(scene, target, body, surfaceMaterial(scene, "normal", description.camera.eye_world));
+    const near = known?.near ?? nearPlane(description.camera, await draw(scene, target, body, places));
+    camera.minZ = near;
+    const position = known?.position ?? await draw(scene, target, body, places);
+    const normal = known?.normal ?? await draw(scene, target, body, surfaceMaterial(scene, "normal", description.camera.eye_world));
     const white = whiteMaterial(scene);
     const light = lightOf(scene, nearestLight(description.light, mesh, position));
-    const unlit = await draw(scene, target, body, white);
+    const unlit = known?.unlit ?? await draw(scene, target, body, white);
     shadowOf(light, body, values);
     const lit = await draw(scene, target, body, white);
     const times = await timeFrames(engine._gl, request, () => scene.render());
-    return {lit, unlit, position, normal, ...times};
+    return {lit, unlit, position, normal, near, ...times};
   } finally {
     scene.dispose();
   }

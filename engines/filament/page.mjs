@@ -95,7 +95,7 @@ function plainView(view) {
 }
 
 export async function render(request) {
-  const {width_px: width, height_px: height, parameters: values, scene: description, mesh} = request;
+  const {width_px: width, height_px: height, parameters: values, scene: description, mesh, known} = request;
   if (bodies?.hash !== mesh.hash) {
     if (bodies) destroyBodies(engine, loader, bodies);
     bodies = await bodiesOf(engine, loader, mesh);
@@ -126,15 +126,16 @@ export async function render(request) {
 
   setNear(near_world);
   const positions = async () => fromColours(await draw(bodies.positions), bodies.positions.range);
-  setNear(nearPlane(description.camera, await positions()));
-  const position = await positions();
-  const normal = towards(fromColours(await draw(bodies.normals), bodies.normals.range), position, eye_world);
+  setNear(known?.near ?? nearPlane(description.camera, await positions()));
+  const position = known?.position ?? await positions();
+  const near = known?.near ?? nearPlane(description.camera, position);
+  const normal = known?.normal ?? towards(fromColours(await draw(bodies.normals), bodies.normals.range), position, eye_world);
   const light = lightOf(nearestLight(description.light, mesh, position)), {scene} = bodies.white;
   scene.addEntity(light);
   const shadows = new ShadowSettings(Filament, engine, scene, view);
   try {
     shadows.apply(shadowValues(values));
-    setNear(nearPlane(description.camera, position));  // its lens is another
+    setNear(near);  // its lens is another
     camera.setExposureDirect(1);
     plainView(view);
     const lit = await draw(bodies.white);
@@ -142,8 +143,8 @@ export async function render(request) {
     const manager = engine.getLightManager(), instance = manager.getInstance(light);
     manager.setShadowCaster(instance, false);
     instance.delete();
-    const unlit = await draw(bodies.white);
-    return {lit, unlit, position, normal, ...times};
+    const unlit = known?.unlit ?? await draw(bodies.white);
+    return {lit, unlit, position, normal, near, ...times};
   } finally {
     scene.remove(light);
     shadows.delete();

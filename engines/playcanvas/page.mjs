@@ -120,7 +120,7 @@ async function draw(target, body, material, width, height) {
 }
 
 export async function render(request) {
-  const {width_px: width, height_px: height, parameters: values, scene: description, mesh} = request;
+  const {width_px: width, height_px: height, parameters: values, scene: description, mesh, known} = request;
   const colorBuffer = new pc.Texture(app.graphicsDevice, {
     width, height, format: pc.PIXELFORMAT_RGBA32F, mipmaps: false, minFilter: pc.FILTER_NEAREST, magFilter: pc.FILTER_NEAREST});
   const target = new pc.RenderTarget({colorBuffer, depth: true, samples: 1});
@@ -133,16 +133,17 @@ export async function render(request) {
   app.root.addChild(camera);
   let light;
   try {
-    camera.camera.nearClip = nearPlane(description.camera, await draw(target, body, places, width, height));
-    const position = await draw(target, body, places, width, height);
-    const normal = await draw(target, body, facings, width, height);
+    const near = known?.near ?? nearPlane(description.camera, await draw(target, body, places, width, height));
+    camera.camera.nearClip = near;
+    const position = known?.position ?? await draw(target, body, places, width, height);
+    const normal = known?.normal ?? await draw(target, body, facings, width, height);
     light = lightOf(nearestLight(description.light, mesh, position), values, camera.camera.farClip);
     app.root.addChild(light);
-    const unlit = await draw(target, body, white, width, height);
+    const unlit = known?.unlit ?? await draw(target, body, white, width, height);
     light.light.castShadows = true;
     const lit = await draw(target, body, white, width, height);
     const times = await timeFrames(app.graphicsDevice.gl, request, submit);
-    return {lit, unlit, position, normal, ...times};
+    return {lit, unlit, position, normal, near, ...times};
   } finally {
     for (const entity of [body.entity, camera, light]) entity?.destroy();
     target.destroyTextureBuffers();

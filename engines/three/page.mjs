@@ -107,7 +107,7 @@ function draw(target, scene, camera, material) {
 }
 
 export async function render(request) {
-  const {width_px: width, height_px: height, parameters: values, scene: description, mesh} = request;
+  const {width_px: width, height_px: height, parameters: values, scene: description, mesh, known} = request;
   const target = targetOf(width, height);
   const camera = cameraOf(description.camera, width / height, mesh.points);
   const scene = new THREE.Scene();
@@ -119,18 +119,18 @@ export async function render(request) {
   renderer.shadowMap.enabled = true;
   renderer.shadowMap.type = TYPES[values.type];
 
-  camera.near = nearPlane(description.camera, draw(target, scene, camera, positionMaterial));
+  camera.near = known?.near ?? nearPlane(description.camera, draw(target, scene, camera, positionMaterial));
   camera.updateProjectionMatrix();
-  const position = draw(target, scene, camera, positionMaterial);
-  const normal = draw(target, scene, camera, normalMaterial);
+  const position = known?.position ?? draw(target, scene, camera, positionMaterial);
+  const normal = known?.normal ?? draw(target, scene, camera, normalMaterial);
   const light = lightOf(nearestLight(description.light, mesh, position), values);
   scene.add(light, light.target ?? new THREE.Object3D());
   light.castShadow = true;
   const lit = draw(target, scene, camera, null);
   const times = await timeFrames(renderer.getContext(), request, () => submit(target, scene, camera, null));
   light.castShadow = false;
-  const unlit = draw(target, scene, camera, null);
+  const unlit = known?.unlit ?? draw(target, scene, camera, null);
   renderer.setRenderTarget(null);
   for (const used of [material, light, target.depthTexture, target]) used.dispose();
-  return {lit, unlit, position, normal, ...times};
+  return {lit, unlit, position, normal, near: camera.near, ...times};
 }

@@ -3,13 +3,17 @@
 //
 // ../engine/page.mjs exports
 //   open(canvas)    -> {version, device}; async
-//   render(request) -> {lit, unlit, position, normal}, and maybe warnings, frame_ms and timer (timer.mjs); async. `request` has
+//   render(request) -> {lit, unlit, position, normal, near}, and maybe warnings, frame_ms and timer (timer.mjs); async. `request` has
 //                      width_px, height_px, seed, parameters, timed_frames and timed_seconds, which may be undefined, scene
-//                      (scene.json) and mesh (below); each picture is a Float32Array of RGBA, row 0 at the bottom; position has
-//                      alpha 0 where nothing is hit.
+//                      (scene.json), mesh (below) and known; each picture is a Float32Array of RGBA, row 0 at the bottom; position
+//                      has alpha 0 where nothing is hit; near is the camera's near plane.
+// `known` is what render answered for the same scene, camera and size with other parameters, or undefined: all but lit is the same.
 import * as engine from "../engine/page.mjs";
 
+const MOST_KNOWN = 16;  // pictures of a tuner's cameras
+
 let mesh = {hash: null};
+const known = new Map();  // by size and scene.json, the oldest first
 
 // Triangles without indices: positions, shading normals (geometric ones where the scene has none) and geometric normals.
 function readMesh(hash, text) {
@@ -50,7 +54,9 @@ async function loadText(path) {
 async function post(name, rgba, width, height) {
   const head = new TextEncoder().encode(`PF\n${width} ${height}\n-1.0\n`);
   const rgb = new Float32Array(width * height * 3);
-  for (let i = 0; i < width * height; ++i) rgb.set(rgba.subarray(4 * i, 4 * i + 3), 3 * i);
+  for (let i = 0; i < width * height; ++i) {
+    for (let k = 0; k < 3; ++k) rgb[3 * i + k] = rgba[4 * i + k];
+  }
   const answer = await fetch(`../out/${name}`, {method: "POST", body: new Blob([head, rgb])});
   if (!answer.ok) throw new Error(`${name} could not be written`);
 }
@@ -60,18 +66,21 @@ export async function open() {
 }
 
 export async function render(request) {
-  const scene = JSON.parse(await loadText("../scene/scene.json"));
+  const text = await loadText("../scene/scene.json"), scene = JSON.parse(text);
   if (scene.mesh_hash !== mesh.hash) mesh = readMesh(scene.mesh_hash, await loadText("../scene/scene.obj"));
   const {width_px: width, height_px: height} = request;
-  const pictures = await engine.render({...request, scene, mesh});
+  const key = `${width} ${height} ${text}`;
+  const pictures = await engine.render({...request, scene, mesh, known: known.get(key)});
+  const {unlit, position, normal, near} = pictures;
+  known.set(key, {unlit, position, normal, near});
+  if (known.size > MOST_KNOWN) known.delete(known.keys().next().value);
   const answer = {warnings: pictures.warnings ?? [], frame_ms: pictures.frame_ms, timer: pictures.timer};
   for (let i = 0; i < width * height; ++i) {
     if (pictures.position[4 * i + 3] === 0) pictures.position.fill(NaN, 4 * i, 4 * i + 3);
   }
-  for (const what of ["lit", "unlit", "position", "normal"]) {
-    answer[what] = `${what}.pfm`;
-    await post(answer[what], pictures[what], width, height);
-  }
+  const names = ["lit", "unlit", "position", "normal"];
+  for (const what of names) answer[what] = `${what}.pfm`;
+  await Promise.all(names.map(what => post(answer[what], pictures[what], width, height)));
   return answer;
 }
 

@@ -69,9 +69,21 @@ std::vector<size_t> strongest(const SearchSpace& space, const std::vector<AxisEf
   return axes;
 }
 
-/// Every choice once more at the present numbers; a promising one with its strongest number moved, too.
+/// The strongest number, or all where none matters: a map that lost its casters is the same with every bias, and another
+/// choice brings them back.
+std::vector<size_t> numbers_to_move(const SearchSpace& space, const std::vector<size_t>& numbers) {
+  if (!numbers.empty()) return {numbers.front()};
+  std::vector<size_t> all;
+  for (size_t i = 0; i < space.size(); ++i) {
+    if (is_ordered(space[i])) all.push_back(i);
+  }
+  return all;
+}
+
+/// Every choice once more at the present numbers; a promising one with numbers moved, too.
 void search_choices(Trials& trials, const std::vector<size_t>& numbers) {
   const SearchSpace& space = trials.space();
+  const std::vector<size_t> moving = numbers_to_move(space, numbers);
   for (size_t axis = 0; axis < space.size(); ++axis) {
     if (is_ordered(space[axis])) continue;
     const Trial start = trials.best();
@@ -79,12 +91,14 @@ void search_choices(Trials& trials, const std::vector<size_t>& numbers) {
       Point point = start.point;
       point[axis] = position;
       const double objective = trials.at(point);
-      if (numbers.empty() || !(objective < kNearlyAsGood * start.objective)) continue;
+      if (!(objective < kNearlyAsGood * start.objective)) continue;
       if (values_at(space, point, {}) == values_at(space, start.point, {})) continue;
-      for (const double step : {-kFirstStep, kFirstStep}) {
-        Point moved = point;
-        moved[numbers.front()] = std::clamp(moved[numbers.front()] + step, 0.0, 1.0);
-        trials.at(moved);
+      for (const size_t number : moving) {
+        for (const double step : {-kFirstStep, kFirstStep}) {
+          Point moved = point;
+          moved[number] = std::clamp(moved[number] + step, 0.0, 1.0);
+          trials.at(moved);
+        }
       }
     }
   }

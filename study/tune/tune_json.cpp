@@ -42,7 +42,8 @@ OrderedJson candidate_json(const Candidate& candidate) {
 OrderedJson end_json(const SafeWindow& window, const std::optional<double>& end, double texel_world) {
   if (!end) return nullptr;
   if (window.kind == WindowKind::light_size) return *end;
-  return {{"texels", optional_json(in_texels(window.unit, *end, texel_world))},
+  return {{"value", *end},
+          {"texels", optional_json(in_texels(window.unit, *end, texel_world))},
           {"world", optional_json(in_world_units(window.unit, *end, texel_world))}};
 }
 

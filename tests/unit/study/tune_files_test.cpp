@@ -2,8 +2,11 @@
 // Without these, a tuner could write down other numbers than it measured.
 
 #include "study/tune/tune_files.h"
+#include "core/files.h"
+#include "report/report.h"
 #include "study/tune/lengths.h"
 #include "study/tune/tune_json.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/unit/study/tune_fixture.h"
 
 #include <gmock/gmock.h>
@@ -48,6 +51,22 @@ TEST_F(Tune, TheEngineBlockNamesWhatEnginesLack) {
                   testing::ContainsRegex(lacking + ".*\nreceiver_plane = texel_center")));
   result.best.values["receiver_plane"] = std::string("none");
   EXPECT_THAT(engine_block(plan, result), testing::Not(HasSubstr(lacking)));
+}
+
+// Neither in texels nor in world units.
+TEST_F(Tune, ThePageTellsABiasInAnEnginesOwnUnit) {
+  TuneResult result = run();
+  ASSERT_FALSE(result.windows.empty());
+  SafeWindow& window = result.windows.front();
+  window.unit = "depth of the map";
+  window.from = 0.125;
+  window.to = 0.25;
+  window.is_complete = true;
+  const TemporaryFolder folder;
+  write_file_atomically(folder.path() / "tune.json", to_json_text(plan, result));
+  write_report(folder.path(), folder.path() / "report.html");
+  EXPECT_THAT(read_file(folder.path() / "report.html"),
+              HasSubstr(R"("window":{"empty":false,"low":0.125,"high":0.25})"));
 }
 
 TEST_F(Tune, LengthsAreThoseOfTheSmallestScene) {

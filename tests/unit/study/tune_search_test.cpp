@@ -124,6 +124,20 @@ TEST(Minimise, FindsAChoiceThatNeedsOtherNumbers) {
   EXPECT_NEAR(found.best.objective, 0.8, 0.002);
 }
 
+// A map that lost its casters is the same with every bias; the other one has acne until a bias mends it.
+TEST(Minimise, LeavesAChoiceBesideWhichNoNumberMatters) {
+  SearchSpace space = {axis("bias", -1, 1), choice_axis("casters", {"lost", "kept"})};
+  space[0].default_value = 0.0;
+  const auto objective = [](const ParameterValues& values) {
+    if (std::get<std::string>(values.at("casters")) == "lost") return 1.0;
+    const double bias = number(values, "bias");
+    return bias > -0.1 ? 1.2 : 0.3 - bias;
+  };
+  const SearchResult result = search(space, objective, 40);
+  EXPECT_EQ(result.best.values.at("casters"), ParameterValue(std::string("kept")));
+  EXPECT_LT(result.best.objective, 0.45);
+}
+
 TEST(Minimise, KeepsOutOfWhatIsForbidden) {
   const auto walled = [](const ParameterValues& values) {
     return number(values, "x") > 0.2 && number(values, "x") < 0.9 ? std::numeric_limits<double>::infinity()
