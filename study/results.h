@@ -95,7 +95,8 @@ struct TechniqueResult : Measures {
   std::string label;      // unique in its scene
   std::string technique;  // id
   std::string title;
-  std::string hash;  // of the technique's manifest and shaders
+  std::string quantity = "visibility";  // what its picture is (study/shadow_quantity.h)
+  std::string hash;                     // of the technique's manifest and shaders
   ParameterValues parameters;
   std::optional<Failure> failure;
   std::optional<TemporalNumbers> temporal;  // when asked for

@@ -108,6 +108,7 @@ TechniqueResult read_technique(const nlohmann::json& json) {
   run.label = json.at("label");
   run.technique = json.at("technique");
   run.title = json.at("title");
+  run.quantity = json.value("quantity", run.quantity);
   run.hash = json.at("hash");
   run.parameters = read_parameters(json.at("parameters"));
   run.failure = read_failure(json.at("failure"));

@@ -78,6 +78,7 @@ OrderedJson technique_json(const TechniqueResult& run) {
   OrderedJson json{{"label", run.label},
                    {"technique", run.technique},
                    {"title", run.title},
+                   {"quantity", run.quantity},
                    {"hash", run.hash},
                    {"parameters", parameters_json(run.parameters)},
                    {"failure", failure_json(run.failure)},

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/technique_result.h"
 
+#include "study/shadow_quantity.h"
+
 namespace umbrameter {
 
 TechniqueResult describe(const TechniqueRun& run) {
@@ -14,6 +16,7 @@ TechniqueResult describe(const TechniqueRun& run) {
 }
 
 void take_frame(const TimedRun& run, TechniqueResult& result) {
+  result.quantity = to_text(quantity_of(run.frame.image));
   const Frame& frame = run.frame;
   result.parameters = frame.parameters;
   result.pass_times = summarise(run.times);

@@ -47,9 +47,14 @@ function isEarlier(run) {
   return run.label?.endsWith(kBeforeMark) ?? false;
 }
 
+// Compared as irradiance beside runs compared as visibility: a path tracer's error is of another kind.
+function isOtherQuantity(scene, run) {
+  return (run.quantity ?? "visibility") !== "visibility" && (scene.quantity ?? "visibility") === "visibility";
+}
+
 // The index of the run that is closest to the truth within `factor` times the fastest scored run's time; -1 without any.
 function bestAffordable(scene, factor) {
-  const scored = scene.techniques.flatMap((run, index) => rmseOf(run) === null || isEarlier(run) ? [] : [{run, index}]);
+  const scored = scene.techniques.flatMap((run, index) => rmseOf(run) === null || isEarlier(run) || isOtherQuantity(scene, run) ? [] : [{run, index}]);
   const times = scored.map(({run}) => totalMs(run)).filter(time => time !== null);
   const limit = times.length ? factor * Math.min(...times) : Infinity;
   const affordable = scored.filter(({run}) => times.length === 0 || (totalMs(run) ?? Infinity) <= limit);
@@ -59,7 +64,7 @@ function bestAffordable(scene, factor) {
 
 function cellLabel(scene, run) {
   const fault = worstFault(run), time = totalMs(run);
-  return `${run.label} in ${scene.name}: RMSE ${rmseOf(run)?.toFixed(4) ?? "n/a"}` +
+  return `${run.label} in ${scene.name}: RMSE ${rmseOf(run)?.toFixed(4) ?? "n/a"}${isOtherQuantity(scene, run) ? " of the irradiance ratio" : ""}` +
       (fault ? `, worst fault ${fault.name.replaceAll("_", " ")} ${fault.part.toFixed(4)}` : "") +
       (time === null ? "" : `, ${significantText(time, 3)} ms`);
 }
@@ -144,7 +149,8 @@ function makeOverview() {
   for (const row of overviewRows()) {
     const line = document.createElement("tr"), name = document.createElement("th");
     name.scope = "row";
-    name.textContent = breakable(row.label);
+    const isOther = row.places.some((run, index) => run !== undefined && isOtherQuantity(results.scenes[index], results.scenes[index].techniques[run]));
+    name.textContent = breakable(row.label) + (isOther ? " (irradiance)" : "");
     line.append(name, ...results.scenes.map((scene, index) => {
       const cell = document.createElement("td");
       cell.dataset.run = row.places[index] ?? "";

@@ -86,8 +86,11 @@ TEST_F(ReportOverview, BestIsTheClosestWithinTheTimeThatIsAllowed) {
       {evaluate("{" + scene +
                 "[bestAffordable(scene, 2), bestAffordable(scene, 10), bestAffordable(scene, Infinity)]}"),
        evaluate("bestAffordable({techniques: [{error: null, pass_times: []}]}, 10)"),
-       evaluate("bestAffordable({techniques: [{measurements: {rmse: 1}, pass_times: []}]}, 10)")});
-  EXPECT_EQ(seen["values"], Json::parse("[[0, 1, 2], -1, 0]"));
+       evaluate("bestAffordable({techniques: [{measurements: {rmse: 1}, pass_times: []}]}, 10)"),
+       evaluate("bestAffordable({techniques: [{measurements: {rmse: 0.1}, quantity: 'irradiance', "
+                "pass_times: []}, "
+                "{measurements: {rmse: 1}, quantity: 'visibility', pass_times: []}]}, 10)")});
+  EXPECT_EQ(seen["values"], Json::parse("[[0, 1, 2], -1, 0, 1]"));
 }
 
 TEST_F(ReportOverview, CropsHoldTheWorstPixels) {
