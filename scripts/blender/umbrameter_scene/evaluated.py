@@ -39,6 +39,7 @@ class LightInstance:
     object_name: str
     matrix: numpy.ndarray
     values: dict
+    folder: str = ""  # of its pictures
 
 
 @dataclasses.dataclass

@@ -14,6 +14,7 @@ from . import cameras, evaluated, glb, lights, space
 from .said import Refused
 
 MESH_FILE = "scene.glb"
+SURFACES_FILE = "surfaces.exr"  # of an engine's pictures
 MAX_TRIANGLES = 16777215  # umbrameter's own limit
 
 
@@ -58,12 +59,17 @@ def scene_text(title, camera, tables, middle, metres):
     return text + "".join(table_text("[[light]]", keys) for keys in tables)
 
 
-def unique(name, taken):
+def unique(name, taken, key=str):
     number, made = 2, name
-    while made in taken:
+    while key(made) in taken:
         made, number = f"{name}-{number}", number + 1
-    taken.add(made)
+    taken.add(key(made))
     return made
+
+
+def file_name(name, taken):
+    """Of no other name in `taken`, also where a file system does not tell capitals from small letters."""
+    return unique(re.sub(r"[^\w.-]|^\.", "_", name), taken, str.casefold)
 
 
 def chosen_cameras(scene, name):
@@ -79,9 +85,10 @@ def chosen_cameras(scene, name):
 
 
 def chosen_lights(found, wanted, middle, metres, said):
-    taken, tables = set(), []
+    taken, tables, folders = set(), [], {SURFACES_FILE}
     for light in found.lights:
         name = unique(light.name, taken)
+        light.folder = file_name(name, folders)  # that of all lights, whichever are wanted
         if wanted and name not in wanted:
             continue
         keys = lights.toml(light, name, middle, metres, said)
@@ -136,7 +143,8 @@ def export(scene, out, camera_name, light_names, width, said):
         evaluated.with_render_depsgraph(scene, take)
     found, camera, others = read["found"], read["cameras"][0], [one for one in read["cameras"][1:] if one]
     if camera is None:
-        raise Refused(f"camera '{camera_thing.name}' is not perspective, as ours are (choose another with --camera)")
+        fault = "is not perspective, as ours are" if camera_thing.data.type != "PERSP" else "is scaled to nothing"
+        raise Refused(f"camera '{camera_thing.name}' {fault} (choose another with --camera)")
     if found.triangle_count() == 0:
         raise Refused("the scene has no triangles that a render shows")
     if found.triangle_count() > MAX_TRIANGLES:
@@ -154,7 +162,7 @@ def export(scene, out, camera_name, light_names, width, said):
     files = {"scene.toml": scene_text(title, camera, keys, middle, metres).encode()}
     taken = set()
     for one in others:
-        name = unique(re.sub(r"[^A-Za-z0-9._-]", "_", one.name), taken)
+        name = file_name(one.name, taken)
         files[f"scene-{name}.toml"] = scene_text(f"{title}, {one.name}", one, keys, middle, metres).encode()
     files[MESH_FILE] = glb.file_of(found, metres)
     write_files(out, files)
