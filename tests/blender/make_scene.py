@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""blender -b --factory-startup -P make_scene.py -- kept|said|odd|empty FILE.blend: scenes for test_export.py.
+"""blender -b --factory-startup -P make_scene.py -- kept|said|odd|far|tiny|empty FILE.blend: scenes for test_export.py.
 
-kept: what must arrive complete. said: what must be said since it cannot. odd: what is straightened, told apart or left
-out. empty: no light, no camera.
+kept: what must arrive complete. said: what must be said since it cannot. odd: what is straightened, told
+apart or left out. far: a million metres from the origin. tiny: of a picture without pixels. empty: no light, no camera.
 """
 import math
 import sys
@@ -251,12 +251,25 @@ def make_odd(scene):
     scene.world = None
 
 
+def make_far(scene):
+    add("box", cube("box"), (1e6, 0, 0))
+    add_light("bulb", "POINT", (1e6, -2, 4), shadow_soft_size=0.2)
+    scene.camera = add_camera("near", (1e6, -6, 3), (1e6, 0, 0))
+    scene.world = None
+
+
+def make_tiny(scene):
+    make_kept(scene)
+    scene.render.resolution_x = scene.render.resolution_y = 64
+    scene.render.resolution_percentage = 1
+
+
 def main():
     kind, file = sys.argv[sys.argv.index("--") + 1:]
     clear()
     scene = bpy.context.scene
     scene.render.resolution_x, scene.render.resolution_y, scene.render.resolution_percentage = 480, 272, 50
-    {"kept": make_kept, "said": make_said, "odd": make_odd, "empty": lambda scene: None}[kind](scene)
+    {"kept": make_kept, "said": make_said, "odd": make_odd, "far": make_far, "tiny": make_tiny, "empty": lambda scene: None}[kind](scene)
     bpy.ops.wm.save_as_mainfile(filepath=file)
 
 

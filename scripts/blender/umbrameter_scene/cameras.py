@@ -6,6 +6,9 @@ import math
 import numpy
 
 from . import space
+from .said import Refused
+
+SIDES_PX = (4, 65536)  # a side of Blender's pictures
 
 
 @dataclasses.dataclass
@@ -38,8 +41,13 @@ class Camera:
 def picture_size(scene, width):
     """(width, height) in pixels: the render's, or `width` wide."""
     render = scene.render
-    full = [max(1, side * render.resolution_percentage // 100) for side in (render.resolution_x, render.resolution_y)]
-    return tuple(full) if not width else (width, max(1, round(full[1] * width / full[0])))
+    size = tuple(side * render.resolution_percentage // 100 for side in (render.resolution_x, render.resolution_y))
+    if width:
+        size = (width, round(render.resolution_y * width / render.resolution_x))
+    if min(size) < SIDES_PX[0] or max(size) > SIDES_PX[1]:
+        raise Refused(f"the picture would have {size[0]} x {size[1]} px, and Blender's have {SIDES_PX[0]} to {SIDES_PX[1]} a side (set the "
+                      "render's resolution and its percentage, or give --width)")
+    return size
 
 
 def read(thing, depsgraph, scene, size, said):

@@ -11,7 +11,7 @@ import tempfile
 import bpy
 
 from . import folder
-from .said import Refused
+from .said import Refused, last_line
 
 HERE = pathlib.Path(__file__).resolve().parent
 # Beside the add-on where that is installed, else in the source tree.
@@ -50,6 +50,9 @@ def draw(export, engine, samples, seed, said):
     if ENGINES is None:
         raise Refused("pictures need engines/ of Umbrameter's source tree, which is not here")
     quantity, values = manifest(engine)
+    folder.check_places(export.out / engine, (folder.SURFACES_FILE,))
+    for _, light in export.lights:
+        folder.check_places(export.out / engine / light.folder, ("lit.exr", "unlit.exr"))
     if samples:
         values["samples" if engine == "cycles" else "taa_render_samples"] = samples
     for image in bpy.data.images:
@@ -73,9 +76,7 @@ def draw(export, engine, samples, seed, said):
         ended = subprocess.run(command, env=environment(engine), stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                                stderr=subprocess.STDOUT, text=True, errors="replace")
     if ended.returncode != 0:
-        words = [line for line in ended.stdout.splitlines() if line.strip()]
-        last = next((line for line in reversed(words) if "Error" in line), words[-1] if words else "no words")
-        raise Refused(f"Blender ended with {ended.returncode} while it drew {engine}'s pictures: {last.strip()}")
+        raise Refused(f"Blender ended with {ended.returncode} while it drew {engine}'s pictures: {last_line(ended.stdout)}")
     return [score_command(export, engine, quantity, keys["name"], light.folder) for keys, light in export.lights]
 
 

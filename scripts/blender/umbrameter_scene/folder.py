@@ -16,6 +16,7 @@ from .said import Refused
 MESH_FILE = "scene.glb"
 SURFACES_FILE = "surfaces.exr"  # of an engine's pictures
 MAX_TRIANGLES = 16777215  # umbrameter's own limit
+NOTICEABLE = 1e-5  # of the scene's size: rounding that `umbrameter scene check` warns of
 
 
 @dataclasses.dataclass
@@ -31,12 +32,26 @@ class Export:
 
 def write_files(out, files):
     """All of `files` (name -> bytes), complete or not at all as far as a file system lets one; the first one last."""
-    out.mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory(prefix=".part-", dir=out) as part:
-        for name, data in files.items():
-            (pathlib.Path(part) / name).write_bytes(data)
-        for name in reversed(files):
-            os.replace(pathlib.Path(part) / name, out / name)
+    check_places(out, files)
+    try:
+        out.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryDirectory(prefix=".part-", dir=out) as part:
+            for name, data in files.items():
+                (pathlib.Path(part) / name).write_bytes(data)
+            for name in reversed(files):
+                os.replace(pathlib.Path(part) / name, out / name)
+    except OSError as why:
+        raise Refused(f"{out}: cannot be written: {why.strerror}") from None
+
+
+def check_places(out, names):
+    """Refuses a file in the place of a folder, and a folder in that of a file."""
+    file = next((place for place in (out, *out.parents) if place.exists() and not place.is_dir()), None)
+    if file:
+        raise Refused(f"{file} is a file, and has to be a folder")
+    for name in names:
+        if (out / name).is_dir():
+            raise Refused(f"{out / name} is a folder, where a file has to be (move it away)")
 
 
 def value_text(value):
@@ -115,6 +130,14 @@ def say_surroundings(scene, said):
             said.add("other scenes of the file are left out", other.name)
 
 
+def say_rounding(corners_m, said):
+    reach, diagonal = float(numpy.abs(corners_m).max()), float(numpy.linalg.norm(corners_m.max(axis=0) - corners_m.min(axis=0)))
+    rounding = reach * 2.0**-24  # of a float
+    if rounding > NOTICEABLE * diagonal:
+        said.add(f"positions are rounded by up to {rounding:.2g} m, since the scene is {diagonal:.3g} m wide and lies up to {reach:.3g} m "
+                 "from the origin (move it there)", MESH_FILE)
+
+
 def has_light(world):
     if not world.use_nodes:
         return max(world.color) > 0.0
@@ -153,6 +176,7 @@ def export(scene, out, camera_name, light_names, width, said):
 
     metres = space.metres_per_unit(scene)
     corners = found.corners()
+    say_rounding(metres * corners, said)
     middle = 0.5 * (corners.min(axis=0) + corners.max(axis=0))
     tables = chosen_lights(found, light_names, middle, metres, said)
     masks = {primitive.mask.material: primitive.mask for _, primitives in found.meshes.values() for primitive in primitives
