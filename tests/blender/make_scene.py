@@ -238,6 +238,7 @@ def make_odd(scene):
     stretched = add("stretched", None)
     stretched.scale = (1.0, 1.0, 2.5)
     sheared = add_light("sheared", "AREA", (-2, -2, 2), (0, 0, 0), shape="RECTANGLE", size=1.5, size_y=1.0)
+    sheared.rotation_euler.rotate_axis("Z", 0.6)
     sheared.parent = stretched
     add_light("empty", "AREA", (0, 0, 5), (0, 0, 0), shape="RECTANGLE", size=0.0)
     for name, kind in (("flat", "AREA"), ("flat_sun", "SUN")):

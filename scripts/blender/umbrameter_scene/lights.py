@@ -32,7 +32,7 @@ def toml(light, name, middle, metres, said):
     center = light.matrix[:3, 3]
     keys["center"] = space.point(center, metres)
     if values["type"] == "AREA":
-        shape = area(values, axes, scales, name, metres, said)
+        shape = area(light, axes, scales, name, metres, said)
         return shape and {**keys, **shape}
     towards = -axes[2] if values["type"] == "SPOT" else middle - center
     if values["type"] == "SPOT":
@@ -53,8 +53,9 @@ def sun_deg(angle_rad, name, said):
     return taken
 
 
-def area(values, axes, scales, name, metres, said):
+def area(light, axes, scales, name, metres, said):
     """Rect or disk; None without a size. Its x and y axes come scaled with its object."""
+    values = light.values
     if values["spread"] < math.pi - 1e-4:
         said.add("area lights' spread is left out: ours shine to the whole side they face", name)
     is_one_number = values["shape"] in ("SQUARE", "DISK")
@@ -68,6 +69,8 @@ def area(values, axes, scales, name, metres, said):
     back = back if numpy.dot(back, axes[2]) >= 0.0 else -back
     if max(abs(float(numpy.dot(axes[0], axes[1]))), 1.0 - float(numpy.dot(back, axes[2]))) > 1e-4:
         said.add("area lights that are sheared are not: they lie in the same plane, with right angles", name)
+        columns = [axes[0] * scales[0], numpy.cross(back, axes[0]) * scales[1], back]
+        light.matrix[:3, :3] = numpy.stack(columns, axis=1)  # pictures have ours
     keys = {"direction": space.direction(-back), "tangent": space.direction(axes[0])}
     if values["shape"] in ("SQUARE", "RECTANGLE"):
         return {**keys, "type": "rect", "size": numpy.array([width, height])}
