@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""blender -b --factory-startup -P make_scene.py -- kept|said|empty FILE.blend: scenes for test_export.py.
+"""blender -b --factory-startup -P make_scene.py -- kept|said|odd|far|tiny|empty FILE.blend: scenes for test_export.py.
 
-kept: what must arrive complete. said: what must be said since it cannot. empty: no light, no camera.
+kept: what must arrive complete. said: what must be said since it cannot. odd: what is straightened, told
+apart or left out. far: a million metres from the origin. tiny: of a picture without pixels. empty: no light, no camera.
 """
 import math
 import sys
@@ -228,12 +229,48 @@ def make_said(scene):
     scene.world.color = (0.5, 0.5, 0.5)
 
 
+def make_odd(scene):
+    """What has to be straightened, told apart or left out."""
+    add("floor", mesh("floor", [(-6, -6, 0), (6, -6, 0), (6, 6, 0), (-6, 6, 0)], [(0, 1, 2, 3)]))
+    add("box", cube("box"), (0.3, 0.2, 1.0))
+    for name, x in (("a/b", -3), ("a_b", 3), ("A_B", 0), ("surfaces.exr", 1), ("..", 2)):
+        add_light(name, "POINT", (x, -2, 4), shadow_soft_size=0.2)
+    stretched = add("stretched", None)
+    stretched.scale = (1.0, 1.0, 2.5)
+    sheared = add_light("sheared", "AREA", (-2, -2, 2), (0, 0, 0), shape="RECTANGLE", size=1.5, size_y=1.0)
+    sheared.rotation_euler.rotate_axis("Z", 0.6)
+    sheared.parent = stretched
+    add_light("empty", "AREA", (0, 0, 5), (0, 0, 0), shape="RECTANGLE", size=0.0)
+    for name, kind in (("flat", "AREA"), ("flat_sun", "SUN")):
+        add_light(name, kind, (0, 0, 5)).scale = (0.0, 0.0, 0.0)
+    mirrored = add_camera("mirrored", (0.5, -6.5, 3.6), (0.1, 0.0, 0.4))
+    mirrored.scale = (-1.0, 1.0, 1.0)
+    leaning = add_camera("leaning", (-4.5, -4.0, 1.5), (0.0, 0.0, 0.2))
+    leaning.parent = stretched
+    add_camera("nothing", (0, 0, 9), (0, 0, 0)).scale = (0.0, 0.0, 0.0)
+    scene.camera = mirrored
+    scene.world = None
+
+
+def make_far(scene):
+    add("box", cube("box"), (1e6, 0, 0))
+    add_light("bulb", "POINT", (1e6, -2, 4), shadow_soft_size=0.2)
+    scene.camera = add_camera("near", (1e6, -6, 3), (1e6, 0, 0))
+    scene.world = None
+
+
+def make_tiny(scene):
+    make_kept(scene)
+    scene.render.resolution_x = scene.render.resolution_y = 64
+    scene.render.resolution_percentage = 1
+
+
 def main():
     kind, file = sys.argv[sys.argv.index("--") + 1:]
     clear()
     scene = bpy.context.scene
     scene.render.resolution_x, scene.render.resolution_y, scene.render.resolution_percentage = 480, 272, 50
-    {"kept": make_kept, "said": make_said, "empty": lambda scene: None}[kind](scene)
+    {"kept": make_kept, "said": make_said, "odd": make_odd, "far": make_far, "tiny": make_tiny, "empty": lambda scene: None}[kind](scene)
     bpy.ops.wm.save_as_mainfile(filepath=file)
 
 

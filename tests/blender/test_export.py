@@ -6,6 +6,7 @@ Exit codes: 0 fine, 1 a check failed, 3 Blender or GL is not here."""
 import json
 import os
 import pathlib
+import re
 import shutil
 import struct
 import subprocess
@@ -52,6 +53,16 @@ SAID = (
     "lights without power are left out (1: 'dim')",
 )
 
+ODD = (
+    "mirrored cameras are not: pictures are the mirror image of Blender's (1: 'mirrored')",
+    "sheared cameras are not: pictures are others than Blender's (1: 'leaning')",
+    "cameras that are scaled to nothing are left out (1: 'nothing')",
+    "area lights that are sheared are not: they lie in the same plane, with right angles (1: 'sheared')",
+    "area lights without a size are left out (1: 'empty')",
+    "lights that are scaled to nothing are left out (2: 'flat', 'flat_sun')",
+)
+ODD_FOLDERS = {"a/b": "a_b", "a_b": "a_b-2", "A_B": "A_B-3", "surfaces.exr": "surfaces.exr-2", "..": "_.", "sheared": "sheared"}
+
 
 def run(command, **more):
     return subprocess.run([str(word) for word in command], env=ENVIRONMENT, capture_output=True, text=True, **more)
@@ -94,7 +105,7 @@ class ExportTest(unittest.TestCase):
         cls.folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(cls.folder.cleanup)
         cls.at = pathlib.Path(cls.folder.name)
-        for kind in ("kept", "said", "empty"):
+        for kind in ("kept", "said", "odd", "far", "tiny", "empty"):
             made = run(["blender", "-b", "--factory-startup", "--python-exit-code", "9", "-P", SOURCE / "tests/blender/make_scene.py",
                         "--", kind, cls.at / f"{kind}.blend"])
             assert made.returncode == 0, made.stdout + made.stderr
@@ -105,10 +116,11 @@ class ExportTest(unittest.TestCase):
     def export(cls, blend, out, *more):
         return run(["blender", "-b", cls.at / f"{blend}.blend", "-P", EXPORT, "--", "--out", cls.at / out, *more])
 
-    def score(self, folder, engine, light, scene="scene.toml", quantity="irradiance"):
-        pictures = self.at / folder / engine
-        scored = umbrameter("score", "--shadowed", pictures / light / "lit.exr", "--unshadowed", pictures / light / "unlit.exr",
-                            "--surfaces", pictures / "surfaces.exr", "--scene", self.at / folder / scene, "--light", light,
+    def score(self, folder, engine, light, scene="scene.toml", quantity="irradiance", pictures=""):
+        """`pictures`: the light's folder, where it is not its name."""
+        lit = self.at / folder / engine / (pictures or light)
+        scored = umbrameter("score", "--shadowed", lit / "lit.exr", "--unshadowed", lit / "unlit.exr",
+                            "--surfaces", lit.parent / "surfaces.exr", "--scene", self.at / folder / scene, "--light", light,
                             "--quantity", quantity, "--spp", "512", "--metrics", "error", "--json")
         self.assertIn(scored.returncode, (0, 1), scored.stderr)
         result = json.loads(scored.stdout)
@@ -252,7 +264,11 @@ class ExportTest(unittest.TestCase):
                 ("said", "x", ("--camera", "plan"), "camera 'plan' is not perspective"),
                 ("kept", "x", ("--pictures", "luxcore"), "'luxcore' is none of cycles, eevee"),
                 ("kept", "x", ("--samples", "0"), "'0' is no whole number above 0"),
-                ("kept", "file", (), "file: ")):
+                ("kept", "file", (), "file is a file, and has to be a folder"),
+                ("kept", "file/below", (), "file is a file, and has to be a folder"),
+                ("odd", "x", ("--camera", "nothing"), "camera 'nothing' is scaled to nothing"),
+                ("tiny", "x", (), "the picture would have 0 x 0 px, and Blender's have 4 to 65536 a side"),
+                ("kept", "x", ("--width", "3"), "the picture would have 3 x 2 px, and Blender's have 4 to 65536 a side")):
             done = self.export(blend, out, *more)
             self.assertEqual(done.returncode, 2, done.stderr)
             lines = done.stderr.splitlines()
@@ -262,6 +278,58 @@ class ExportTest(unittest.TestCase):
         done = run(["blender", "-b", "--factory-startup", "-P", EXPORT, "--", "--out", self.at / "x"])
         self.assertEqual(done.returncode, 2, done.stderr)
         self.assertIn("error: no file is open", done.stderr)
+
+    def test_a_folder_in_a_files_place_is_refused(self):
+        for blocked, more in (("scene.toml", ()), ("cycles/sun/lit.exr", ("--light", "sun", "--pictures", "cycles"))):
+            out = self.at / "blocked"
+            (out / blocked).mkdir(parents=True)
+            done = self.export("kept", "blocked", *more)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertIn(f"error: {out / blocked} is a folder, where a file has to be", done.stderr)
+            self.assertEqual((out / "scene.glb").exists(), bool(more))
+            shutil.rmtree(out)
+
+    def test_odd_names_views_and_lights(self):
+        """Each light has a folder of its own; what is straightened or left out is said, and pictures agree with what is written."""
+        done = self.export("odd", "odd", "--width", "120", "--samples", "256", "--pictures", "cycles")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertNotIn("RuntimeWarning", done.stderr)
+        warnings = [line.removeprefix("umbrameter_blender: warning: ") for line in done.stderr.splitlines() if "warning" in line]
+        self.assertEqual(sorted(warnings), sorted(ODD))
+        folders = sorted(path.name for path in (self.at / "odd/cycles").iterdir() if path.is_dir())
+        self.assertEqual(folders, sorted(ODD_FOLDERS.values()))
+        self.assertEqual(len({name.casefold() for name in folders}), len(ODD_FOLDERS))
+        text = (self.at / "odd/scene.toml").read_text()
+        self.assertNotIn("nan", text)
+        self.assertEqual(text.count("[[light]]"), len(ODD_FOLDERS))
+        for light, folder in ODD_FOLDERS.items():
+            self.assertIn(f"/cycles/{folder}/lit.exr", next(line for line in done.stdout.splitlines() if f"--light {light} " in line))
+            self.assert_close("odd", light, folder)
+        done = self.export("odd", "leaning", "--camera", "leaning", "--light", "sheared", "--width", "120", "--samples", "256",
+                           "--pictures", "cycles")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assert_close("leaning", "sheared", "sheared")
+
+    def assert_close(self, folder, light, pictures):
+        parity, rmse, _ = self.score(folder, "cycles", light, pictures=pictures)
+        print(f"Cycles, {folder}, {light}: parity {100 * parity:.2f} %, RMSE {rmse:.4f}", flush=True)
+        self.assertGreaterEqual(parity, MIN_PARITY)
+        self.assertLessEqual(rmse, MAX_CYCLES_RMSE)
+
+    def test_rounding_is_said_as_scene_check_does(self):
+        done = self.export("far", "far")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        checked = umbrameter("scene", "check", self.at / "far/scene.toml")
+        found = [re.search(r"positions are rounded by up to ([0-9.]+)", text) for text in (done.stderr, checked.stdout + checked.stderr)]
+        self.assertTrue(all(found), done.stderr + checked.stdout + checked.stderr)
+        self.assertEqual(found[0][1], found[1][1])
+
+    def test_blenders_last_words_are_short(self):
+        said = SOURCE / "scripts/blender/umbrameter_scene"
+        texts = ("first\n" + "BLI_assert failed: " + "x" * 400 + "\n\n", "An Error: a\nBlender quit", "")
+        code = f"import sys; sys.path.insert(0, {str(said)!r}); import said; [print(said.last_line(text)) for text in {texts!r}]"
+        done = run([sys.executable, "-c", code])
+        self.assertEqual(done.stdout.splitlines(), [("BLI_assert failed: " + "x" * 400)[:200], "An Error: a", "no words"], done.stderr)
 
     def test_the_add_on_is_in_the_menu(self):
         home = self.at / "home"

@@ -91,6 +91,14 @@ class ModelsTest(unittest.TestCase):
             self.assert_one_sentence(done, 1, words)
             self.assertFalse((self.at / "x.obj").exists())
 
+    def test_folders_in_their_places_are_refused(self):
+        for name in ("teapot.obj", "teapot.toml"):
+            (self.target / name).mkdir(parents=True)
+            done = self.run_script("teapot", path=self.with_npm("exit 1"))
+            self.assert_one_sentence(done, 1, f"{name} is a folder, where a file has to be")
+            (self.target / name).rmdir()
+            self.assert_nothing_written()
+
     def test_models_arrive_and_are_measured(self):
         done = self.run_script("bunny", "teapot", "dragon")
         if done.returncode != 0:
@@ -106,6 +114,17 @@ class ModelsTest(unittest.TestCase):
             self.assertEqual(faces, count)
             check = subprocess.run([PROGRAM, "scene", "check", self.target / f"{name}.toml"], capture_output=True, text=True)
             self.assertEqual(check.returncode, 0, check.stderr)
+        # A scene file that is cut off or another's is put right, without npm, and kept beside it.
+        whole = (SOURCE / "scripts/models/teapot.toml").read_text()
+        for text in ("", whole[:len(whole) // 2]):
+            (self.target / "teapot.toml").write_text(text)
+            done = self.run_script("teapot", path=self.with_npm("exit 1"))
+            self.assertEqual((done.returncode, done.stdout.count(": is there")), (0, 0), done.stderr)
+            self.assertIn("teapot.toml was another one, and is now teapot.toml.old", done.stderr)
+            self.assertEqual((self.target / "teapot.toml").read_text(), whole)
+            self.assertEqual((self.target / "teapot.toml.old").read_text(), text)
+        for old in self.target.glob("teapot.toml.old*"):
+            old.unlink()
         # A mesh that was changed is brought again.
         (self.target / "teapot.obj").write_text("v 0 0 0\n")
         self.assertEqual(self.run_script("teapot").returncode, 0)

@@ -6,6 +6,9 @@ import math
 import numpy
 
 from . import space
+from .said import Refused
+
+SIDES_PX = (4, 65536)  # a side of Blender's pictures
 
 
 @dataclasses.dataclass
@@ -19,6 +22,13 @@ class Camera:
     width_px: int
     height_px: int
     is_wider: bool = False  # than Blender's: shifted, or of pixels that are not square
+    is_straightened: bool = False  # Blender's is mirrored or sheared
+
+    def matrix(self):
+        """4 x 4: Blender's world from a camera of Blender's that looks as ours."""
+        made = numpy.eye(4)
+        made[:3, :] = numpy.stack([numpy.cross(self.forward, self.up), self.up, -self.forward, self.eye], axis=1)
+        return made
 
     def toml(self, middle, metres):
         """Keys of [camera]. `at` lies where the scene's middle is, along the view."""
@@ -31,16 +41,35 @@ class Camera:
 def picture_size(scene, width):
     """(width, height) in pixels: the render's, or `width` wide."""
     render = scene.render
-    full = [max(1, side * render.resolution_percentage // 100) for side in (render.resolution_x, render.resolution_y)]
-    return tuple(full) if not width else (width, max(1, round(full[1] * width / full[0])))
+    size = tuple(side * render.resolution_percentage // 100 for side in (render.resolution_x, render.resolution_y))
+    if width:
+        size = (width, round(render.resolution_y * width / render.resolution_x))
+    if min(size) < SIDES_PX[0] or max(size) > SIDES_PX[1]:
+        raise Refused(f"the picture would have {size[0]} x {size[1]} px, and Blender's have {SIDES_PX[0]} to {SIDES_PX[1]} a side (set the "
+                      "render's resolution and its percentage, or give --width)")
+    return size
 
 
 def read(thing, depsgraph, scene, size, said):
-    """None for a camera that is not perspective."""
+    """None for a camera that is not perspective, or scaled to nothing."""
     data = thing.evaluated_get(depsgraph).data
     if data.type != "PERSP":
         said.add("cameras that are not perspective are left out", thing.name)
         return None
+    matrix = numpy.array(thing.evaluated_get(depsgraph).matrix_world, dtype=float)
+    axes, scales = space.axes_of(matrix)
+    if space.is_nothing(scales):
+        said.add("cameras that are scaled to nothing are left out", thing.name)
+        return None
+    back = axes[2]
+    up = axes[1] - float(numpy.dot(axes[1], back)) * back
+    up /= max(float(numpy.linalg.norm(up)), 1e-30)
+    is_mirrored = bool(numpy.linalg.det(matrix[:3, :3]) < 0.0)
+    is_sheared = max(abs(float(numpy.dot(axes[i], axes[j]))) for i, j in ((0, 1), (0, 2), (1, 2))) > 1e-4
+    if is_mirrored:
+        said.add("mirrored cameras are not: pictures are the mirror image of Blender's", thing.name)
+    if is_sheared:
+        said.add("sheared cameras are not: pictures are others than Blender's", thing.name)
     if data.dof.use_dof:
         said.add("cameras' depth of field is left out", thing.name)
     render = scene.render
@@ -54,7 +83,5 @@ def read(thing, depsgraph, scene, size, said):
         first, last = (px_per_slope * side + numpy.array([width, height]) / 2.0 for side in (low, high))
         said.add(f"shifted or anamorphic cameras see more: pictures have {width} x {height} px, and Blender's is columns {first[0]:.0f} "
                  f"to {last[0]:.0f} and rows {height - last[1]:.0f} to {height - first[1]:.0f} of them", thing.name)
-    matrix = numpy.array(thing.evaluated_get(depsgraph).matrix_world, dtype=float)
-    right, up, back = (matrix[:3, i] / numpy.linalg.norm(matrix[:3, i]) for i in range(3))
     return Camera(thing.name, matrix[:3, 3], -back, up, math.degrees(2.0 * math.atan(height / (2.0 * px_per_slope))),
-                  data.clip_start, width, height, is_wider)
+                  data.clip_start, width, height, is_wider, is_mirrored or is_sheared)

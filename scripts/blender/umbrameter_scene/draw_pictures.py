@@ -45,6 +45,10 @@ def set_up_scene(scene):
 
 def set_up_camera(scene):
     thing = bpy.data.objects[PLAN["camera"]["name"]]
+    if PLAN["camera"]["is_straightened"]:
+        thing = bpy.data.objects.new("camera", thing.data)
+        thing.matrix_world = Matrix(PLAN["camera"]["matrix"])
+        scene.collection.objects.link(thing)
     data = thing.data
     data.dof.use_dof = False
     data.clip_end = 1.01 * PLAN["extent"]  # ours has no far plane
@@ -183,7 +187,9 @@ def add_light(scene, light):
     data.use_nodes = False
     data.diffuse_factor = 1.0
     thing = bpy.data.objects.new("light", data)
-    thing.matrix_world = Matrix(light["matrix"])
+    thing.parent = bpy.data.objects.new("place", None)
+    thing.matrix_parent_inverse = Matrix(light["matrix"])  # matrix_world would lose a shear
+    scene.collection.objects.link(thing.parent)
     thing.visible_camera = False
     scene.collection.objects.link(thing)
     return thing
@@ -208,12 +214,13 @@ def draw_light(scene, engine, bodies, light, out, scratch, is_first):
         picture, *aovs = pictures.draw(scene, scratch, ("Image", *surfaces.AOVS))
         drawn = surfaces.from_aovs(eye, picture[:, :, 3] > 0.5, *aovs)
         position = PLAN["metres"] * (drawn["position"] @ space.Y_UP.T)
-        write(out / "surfaces.exr", {"position.": ("XYZ", position), "normal.": ("XYZ", drawn["normal"] @ space.Y_UP.T)})
+        write(out / folder.SURFACES_FILE, {"position.": ("XYZ", position), "normal.": ("XYZ", drawn["normal"] @ space.Y_UP.T)})
         engine.set_samples(scene, PLAN["values"][engine.SAMPLES])
     for name, casts in (("lit", True), ("unlit", False)):
         engine.set_shadow(thing.data, casts)
         [pixels] = pictures.draw(scene, scratch)
         write(out / light["folder"] / f"{name}.exr", {"": ("RGB", pixels)})
+    bpy.data.objects.remove(thing.parent)
     bpy.data.objects.remove(thing)
 
 

@@ -10,7 +10,8 @@ import tempfile
 
 import bpy
 
-from .said import Refused
+from . import folder
+from .said import Refused, last_line
 
 HERE = pathlib.Path(__file__).resolve().parent
 # Beside the add-on where that is installed, else in the source tree.
@@ -49,22 +50,25 @@ def draw(export, engine, samples, seed, said):
     if ENGINES is None:
         raise Refused("pictures need engines/ of Umbrameter's source tree, which is not here")
     quantity, values = manifest(engine)
+    folder.check_places(export.out / engine, (folder.SURFACES_FILE,))
+    for _, light in export.lights:
+        folder.check_places(export.out / engine / light.folder, ("lit.exr", "unlit.exr"))
     if samples:
         values["samples" if engine == "cycles" else "taa_render_samples"] = samples
     for image in bpy.data.images:
         if image.is_dirty:
             said.add("pictures that were changed and not saved are drawn as the file has them", image.name)
-    folders = {keys["name"]: folder_name(keys["name"]) for keys, _ in export.lights}
     camera = export.camera
     plan = {"engine": engine, "engines": str(ENGINES), "out": str(export.out / engine), "values": values, "seed": seed,
             "metres": export.metres, "extent": export.extent,
-            "camera": {"name": camera.name, "is_wider": camera.is_wider, "vertical_fov_deg": camera.vertical_fov_deg,
+            "camera": {"name": camera.name, "is_wider": camera.is_wider, "is_straightened": camera.is_straightened,
+                       "matrix": camera.matrix().tolist(), "vertical_fov_deg": camera.vertical_fov_deg,
                        "width_px": camera.width_px, "height_px": camera.height_px},
-            "lights": [{"object": light.object_name, "matrix": light.matrix.tolist(), "folder": folders[keys["name"]]}
-                       for keys, light in export.lights],
+            "lights": [{"object": light.object_name, "matrix": light.matrix.tolist(), "folder": light.folder}
+                       for _, light in export.lights],
             "masks": {mask.material: mask.threshold for mask in export.masks}}
-    with tempfile.TemporaryDirectory(prefix="umbrameter-") as folder:
-        copy, plan_file = pathlib.Path(folder) / "scene.blend", pathlib.Path(folder) / "plan.json"
+    with tempfile.TemporaryDirectory(prefix="umbrameter-") as scratch:
+        copy, plan_file = pathlib.Path(scratch) / "scene.blend", pathlib.Path(scratch) / "plan.json"
         bpy.ops.wm.save_as_mainfile(filepath=str(copy), copy=True, check_existing=False)
         plan_file.write_text(json.dumps(plan), encoding="utf-8")
         command = [bpy.app.binary_path, "-b", "--factory-startup", "-noaudio", str(copy), "--python-exit-code", "9",
@@ -72,22 +76,16 @@ def draw(export, engine, samples, seed, said):
         ended = subprocess.run(command, env=environment(engine), stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                                stderr=subprocess.STDOUT, text=True, errors="replace")
     if ended.returncode != 0:
-        words = [line for line in ended.stdout.splitlines() if line.strip()]
-        last = next((line for line in reversed(words) if "Error" in line), words[-1] if words else "no words")
-        raise Refused(f"Blender ended with {ended.returncode} while it drew {engine}'s pictures: {last.strip()}")
-    return [score_command(export, engine, quantity, keys["name"], folders[keys["name"]]) for keys, _ in export.lights]
-
-
-def folder_name(name):
-    return "".join(letter if letter.isalnum() or letter in "._-" else "_" for letter in name)
+        raise Refused(f"Blender ended with {ended.returncode} while it drew {engine}'s pictures: {last_line(ended.stdout)}")
+    return [score_command(export, engine, quantity, keys["name"], light.folder) for keys, light in export.lights]
 
 
 def quoted(text):
     return shlex.quote(str(text))
 
 
-def score_command(export, engine, quantity, light, folder):
+def score_command(export, engine, quantity, light, light_folder):
     pictures = export.out / engine
     view = "" if len(export.lights) == 1 else f" --light {quoted(light)}"
-    return (f"umbrameter score --shadowed {quoted(pictures / folder / 'lit.exr')} --unshadowed {quoted(pictures / folder / 'unlit.exr')} "
-            f"--surfaces {quoted(pictures / 'surfaces.exr')} --scene {quoted(export.out / 'scene.toml')}{view} --quantity {quantity}")
+    return (f"umbrameter score --shadowed {quoted(pictures / light_folder / 'lit.exr')} --unshadowed {quoted(pictures / light_folder / 'unlit.exr')} "
+            f"--surfaces {quoted(pictures / folder.SURFACES_FILE)} --scene {quoted(export.out / 'scene.toml')}{view} --quantity {quantity}")

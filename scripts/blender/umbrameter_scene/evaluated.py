@@ -10,6 +10,7 @@ import bpy
 import numpy
 
 from . import masks
+from .said import Refused, last_line
 
 LEFT_OUT = {"VOLUME": "volumes are left out", "CURVES": "hair curves are left out", "POINTCLOUD": "point clouds are left out",
             "GPENCIL": "grease pencil drawings are left out"}
@@ -39,6 +40,7 @@ class LightInstance:
     object_name: str
     matrix: numpy.ndarray
     values: dict
+    folder: str = ""  # of its pictures
 
 
 @dataclasses.dataclass
@@ -92,8 +94,11 @@ def with_render_depsgraph(scene, read):
     Reader.read, Reader.problem = read, None
     bpy.utils.register_class(Reader)
     try:
-        with changed(scene.render, engine=Reader.bl_idname, use_compositing=False, use_sequencer=False):
+        with changed(scene.render, engine=Reader.bl_idname, use_compositing=False, use_sequencer=False, use_border=False,
+                     resolution_percentage=100):
             bpy.ops.render.render(layer=scene.view_layers[0].name)
+    except RuntimeError as why:
+        raise Refused(f"Blender does not render the scene: {last_line(str(why))}") from None
     finally:
         bpy.utils.unregister_class(Reader)
     if Reader.problem:

@@ -14,7 +14,9 @@ from . import cameras, evaluated, glb, lights, space
 from .said import Refused
 
 MESH_FILE = "scene.glb"
+SURFACES_FILE = "surfaces.exr"  # of an engine's pictures
 MAX_TRIANGLES = 16777215  # umbrameter's own limit
+NOTICEABLE = 1e-5  # of the scene's size: rounding that `umbrameter scene check` warns of
 
 
 @dataclasses.dataclass
@@ -30,12 +32,26 @@ class Export:
 
 def write_files(out, files):
     """All of `files` (name -> bytes), complete or not at all as far as a file system lets one; the first one last."""
-    out.mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory(prefix=".part-", dir=out) as part:
-        for name, data in files.items():
-            (pathlib.Path(part) / name).write_bytes(data)
-        for name in reversed(files):
-            os.replace(pathlib.Path(part) / name, out / name)
+    check_places(out, files)
+    try:
+        out.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryDirectory(prefix=".part-", dir=out) as part:
+            for name, data in files.items():
+                (pathlib.Path(part) / name).write_bytes(data)
+            for name in reversed(files):
+                os.replace(pathlib.Path(part) / name, out / name)
+    except OSError as why:
+        raise Refused(f"{out}: cannot be written: {why.strerror}") from None
+
+
+def check_places(out, names):
+    """Refuses a file in the place of a folder, and a folder in that of a file."""
+    file = next((place for place in (out, *out.parents) if place.exists() and not place.is_dir()), None)
+    if file:
+        raise Refused(f"{file} is a file, and has to be a folder")
+    for name in names:
+        if (out / name).is_dir():
+            raise Refused(f"{out / name} is a folder, where a file has to be (move it away)")
 
 
 def value_text(value):
@@ -58,12 +74,17 @@ def scene_text(title, camera, tables, middle, metres):
     return text + "".join(table_text("[[light]]", keys) for keys in tables)
 
 
-def unique(name, taken):
+def unique(name, taken, key=str):
     number, made = 2, name
-    while made in taken:
+    while key(made) in taken:
         made, number = f"{name}-{number}", number + 1
-    taken.add(made)
+    taken.add(key(made))
     return made
+
+
+def file_name(name, taken):
+    """Of no other name in `taken`, also where a file system does not tell capitals from small letters."""
+    return unique(re.sub(r"[^\w.-]|^\.", "_", name), taken, str.casefold)
 
 
 def chosen_cameras(scene, name):
@@ -79,9 +100,10 @@ def chosen_cameras(scene, name):
 
 
 def chosen_lights(found, wanted, middle, metres, said):
-    taken, tables = set(), []
+    taken, tables, folders = set(), [], {SURFACES_FILE}
     for light in found.lights:
         name = unique(light.name, taken)
+        light.folder = file_name(name, folders)  # that of all lights, whichever are wanted
         if wanted and name not in wanted:
             continue
         keys = lights.toml(light, name, middle, metres, said)
@@ -106,6 +128,14 @@ def say_surroundings(scene, said):
     for other in bpy.data.scenes:
         if other != scene:
             said.add("other scenes of the file are left out", other.name)
+
+
+def say_rounding(corners_m, said):
+    reach, diagonal = float(numpy.abs(corners_m).max()), float(numpy.linalg.norm(corners_m.max(axis=0) - corners_m.min(axis=0)))
+    rounding = reach * 2.0**-24  # of a float
+    if rounding > NOTICEABLE * diagonal:
+        said.add(f"positions are rounded by up to {rounding:.2g} m, since the scene is {diagonal:.3g} m wide and lies up to {reach:.3g} m "
+                 "from the origin (move it there)", MESH_FILE)
 
 
 def has_light(world):
@@ -136,7 +166,8 @@ def export(scene, out, camera_name, light_names, width, said):
         evaluated.with_render_depsgraph(scene, take)
     found, camera, others = read["found"], read["cameras"][0], [one for one in read["cameras"][1:] if one]
     if camera is None:
-        raise Refused(f"camera '{camera_thing.name}' is not perspective, as ours are (choose another with --camera)")
+        fault = "is not perspective, as ours are" if camera_thing.data.type != "PERSP" else "is scaled to nothing"
+        raise Refused(f"camera '{camera_thing.name}' {fault} (choose another with --camera)")
     if found.triangle_count() == 0:
         raise Refused("the scene has no triangles that a render shows")
     if found.triangle_count() > MAX_TRIANGLES:
@@ -145,6 +176,7 @@ def export(scene, out, camera_name, light_names, width, said):
 
     metres = space.metres_per_unit(scene)
     corners = found.corners()
+    say_rounding(metres * corners, said)
     middle = 0.5 * (corners.min(axis=0) + corners.max(axis=0))
     tables = chosen_lights(found, light_names, middle, metres, said)
     masks = {primitive.mask.material: primitive.mask for _, primitives in found.meshes.values() for primitive in primitives
@@ -154,7 +186,7 @@ def export(scene, out, camera_name, light_names, width, said):
     files = {"scene.toml": scene_text(title, camera, keys, middle, metres).encode()}
     taken = set()
     for one in others:
-        name = unique(re.sub(r"[^A-Za-z0-9._-]", "_", one.name), taken)
+        name = file_name(one.name, taken)
         files[f"scene-{name}.toml"] = scene_text(f"{title}, {one.name}", one, keys, middle, metres).encode()
     files[MESH_FILE] = glb.file_of(found, metres)
     write_files(out, files)

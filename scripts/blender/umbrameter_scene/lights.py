@@ -22,14 +22,18 @@ def toml(light, name, middle, metres, said):
         said.add("lights' own nodes (textures, IES) are left out", name)
     if not (values["use_shadow"] and values["casts_in_cycles"]):
         said.add("lights that cast no shadow in Blender do", name)
-    axes, scales = axes_of(light.matrix)
+    axes, scales = space.axes_of(light.matrix)
+    if values["type"] != "POINT" and space.is_nothing(scales):
+        said.add("lights that are scaled to nothing are left out", name)
+        return None
     keys = {"name": name, "type": "sun"}
     if values["type"] == "SUN":
         return {**keys, "direction": space.direction(-axes[2]), "angular_diameter_deg": sun_deg(values["angle"], name, said)}
     center = light.matrix[:3, 3]
     keys["center"] = space.point(center, metres)
     if values["type"] == "AREA":
-        return {**keys, **area(values, axes, scales, name, metres, said)}
+        shape = area(light, axes, scales, name, metres, said)
+        return shape and {**keys, **shape}
     towards = -axes[2] if values["type"] == "SPOT" else middle - center
     if values["type"] == "SPOT":
         said.add("spots are spheres without the edges of their cone", name)
@@ -41,13 +45,6 @@ def toml(light, name, middle, metres, said):
             "radius": max(radius_m, SMALLEST_RADIUS_M)}
 
 
-def axes_of(matrix):
-    """Unit axes and their lengths."""
-    columns = [matrix[:3, i] for i in range(3)]
-    lengths = [float(numpy.linalg.norm(column)) for column in columns]
-    return [column / max(length, 1e-30) for column, length in zip(columns, lengths)], lengths
-
-
 def sun_deg(angle_rad, name, said):
     degrees = math.degrees(angle_rad)
     taken = min(max(degrees, SUN_DEG[0]), SUN_DEG[1])
@@ -56,16 +53,25 @@ def sun_deg(angle_rad, name, said):
     return taken
 
 
-def area(values, axes, scales, name, metres, said):
-    """Rect or disk. Its x and y axes come scaled with its object."""
-    if abs(float(numpy.dot(axes[0], axes[1]))) > 1e-4:
-        said.add("area lights that are sheared are not", name)
+def area(light, axes, scales, name, metres, said):
+    """Rect or disk; None without a size. Its x and y axes come scaled with its object."""
+    values = light.values
     if values["spread"] < math.pi - 1e-4:
         said.add("area lights' spread is left out: ours shine to the whole side they face", name)
     is_one_number = values["shape"] in ("SQUARE", "DISK")
     width = values["size"] * scales[0] * metres
     height = (values["size"] if is_one_number else values["size_y"]) * scales[1] * metres
-    keys = {"direction": space.direction(-axes[2]), "tangent": space.direction(axes[0])}
+    across = numpy.cross(axes[0], axes[1])
+    if space.is_nothing((width, height, float(numpy.linalg.norm(across)))):
+        said.add("area lights without a size are left out", name)
+        return None
+    back = across / numpy.linalg.norm(across)
+    back = back if numpy.dot(back, axes[2]) >= 0.0 else -back
+    if max(abs(float(numpy.dot(axes[0], axes[1]))), 1.0 - float(numpy.dot(back, axes[2]))) > 1e-4:
+        said.add("area lights that are sheared are not: they lie in the same plane, with right angles", name)
+        columns = [axes[0] * scales[0], numpy.cross(back, axes[0]) * scales[1], back]
+        light.matrix[:3, :3] = numpy.stack(columns, axis=1)  # pictures have ours
+    keys = {"direction": space.direction(-back), "tangent": space.direction(axes[0])}
     if values["shape"] in ("SQUARE", "RECTANGLE"):
         return {**keys, "type": "rect", "size": numpy.array([width, height])}
     if abs(width - height) > 1e-4 * max(width, height):

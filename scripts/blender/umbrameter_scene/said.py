@@ -2,8 +2,17 @@
 """What is not carried over, gathered for one line a kind."""
 
 
+LONGEST = 200  # of Blender's own words
+
+
 class Refused(Exception):
     """Nothing can be written; the message is one sentence."""
+
+
+def last_line(text):
+    """The last one that names an error, or else the last; assertions can be long."""
+    lines = [line.strip() for line in text.splitlines() if line.strip()] or ["no words"]
+    return next((line for line in reversed(lines) if "Error" in line), lines[-1])[:LONGEST]
 
 
 class Said:

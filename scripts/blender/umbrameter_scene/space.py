@@ -2,12 +2,25 @@
 """Blender's world (z up, units of the scene's own) and ours (y up, metres)."""
 import numpy
 
+SMALLEST = 1e-9
 Y_UP = numpy.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]])
 
 
 def metres_per_unit(scene):
     settings = scene.unit_settings
     return 1.0 if settings.system == "NONE" else settings.scale_length
+
+
+def axes_of(matrix):
+    """Unit axes and their lengths."""
+    columns = [matrix[:3, i] for i in range(3)]
+    lengths = [float(numpy.linalg.norm(column)) for column in columns]
+    return [column / max(length, 1e-30) for column, length in zip(columns, lengths)], lengths
+
+
+def is_nothing(lengths):
+    """Whether a length is 0, or not finite."""
+    return not all(SMALLEST < length < float("inf") for length in lengths)
 
 
 def direction(vector):
