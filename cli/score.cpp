@@ -42,18 +42,6 @@ std::string term_lines(const TermLines& lines) {
   return text;
 }
 
-/// Every number of the group "error" but those of regions, which have lines of their own.
-std::string metric_lines(const Score& score) {
-  TechniqueResult result;
-  static_cast<Measures&>(result) = score;
-  TermLines lines;
-  for (const Metric& metric : metric_catalogue()) {
-    if (metric.group == "error" && !metric.key.ends_with(".rmse") && metric.of(result))
-      lines.emplace_back(metric.label + (metric.interval_of ? " [95 %]" : ""), format_metric(metric, result));
-  }
-  return term_lines(lines);
-}
-
 std::string quantity_line(const PictureScore& picture) {
   const char* name = picture.quantity == ShadowQuantity::visibility ? "visibility" : "irradiance ratio";
   if (picture.is_quantity_given || !picture.other_rmse) return fmt::format("quantity         {}\n", name);
@@ -72,7 +60,9 @@ std::string score_text(const PictureScore& picture) {
   if (!score.error) return text;
   const VisibilityError& error = *score.error;
   text += fmt::format("scored pixels    {} of {}\n", error.scored_pixels, score.scorable_pixels);
-  text += metric_lines(score);
+  TechniqueResult result;
+  static_cast<Measures&>(result) = score;
+  text += term_lines(metric_lines(result, "error"));
   text += region_line("lit", error.lit) + region_line("penumbra", error.penumbra) +
           region_line("umbra", error.umbra);
   text += term_lines(judgement_lines(score.judgement));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/facts.h"
 
+#include "study/catalogue.h"
 #include "study/causes/causes_format.h"
 #include "study/diagnosis_format.h"
 #include "study/format.h"
@@ -19,22 +20,19 @@ void append(TermLines& lines, const TermLines& more) {
 
 std::string region_text(const RegionError& region) {
   if (region.pixels == 0) return "no pixels";
-  return fmt::format("{} of scored pixels, RMSE {}, bias {}", format_share(region.share),
+  return fmt::format("{} of scored pixels, RMSE {}, mean error {}", format_share(region.share),
                      format_error(region_rmse(region)), format_signed_error(region.bias));
 }
 
 TermLines error_lines(const TechniqueResult& run) {
   if (!run.error) return {};
   const VisibilityError& error = *run.error;
-  TermLines lines{{"RMSE", format_interval(error.rmse)},
-                  {"mean error", format_signed_error(error.bias)},
-                  {"mean |error|", format_error(error.mae)},
-                  {"largest |error|", format_error(error.max_error)},
-                  {"lit", region_text(error.lit)},
-                  {"penumbra", region_text(error.penumbra)},
-                  {"umbra", region_text(error.umbra)},
-                  {"scored", fmt::format("{} pixels", error.scored_pixels)},
-                  {"beyond the scale", format_share(run.clipped_share)}};
+  TermLines lines = metric_lines(run, "error");
+  append(lines, {{"lit", region_text(error.lit)},
+                 {"penumbra", region_text(error.penumbra)},
+                 {"umbra", region_text(error.umbra)},
+                 {"scored", fmt::format("{} pixels", error.scored_pixels)},
+                 {"beyond the scale", format_share(run.clipped_share)}});
   append(lines, judgement_lines(run.judgement));
   if (run.similarity) append(lines, similarity_lines(*run.similarity));
   return lines;

@@ -190,7 +190,7 @@ std::vector<Metric> cost_rows() {
 std::vector<Metric> measured_rows() {
   std::vector<Metric> rows = {
       {.key = "worst_pixels_rmse",
-       .label = "RMSE of the worst pixels",
+       .label = "worst pixels",
        .group = "error",
        .unit = "visibility",
        .doc = "root mean square of V - R over the hundredth of the pixels that is farthest off",
@@ -269,6 +269,15 @@ std::string format_metric(const Metric& metric, const TechniqueResult& result) {
   }
   const auto value = metric.of(result);
   return value ? text_of(metric.form, *value) : kNotApplicable;
+}
+
+TermLines metric_lines(const TechniqueResult& result, std::string_view group) {
+  TermLines lines;
+  for (const Metric& metric : metric_catalogue()) {
+    if (metric.group != group || metric.key.ends_with(".rmse") || !metric.of(result)) continue;
+    lines.emplace_back(metric.label + (metric.interval_of ? " [95 %]" : ""), format_metric(metric, result));
+  }
+  return lines;
 }
 
 }  // namespace umbrameter

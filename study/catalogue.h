@@ -4,6 +4,7 @@
 // docs/metrics.md go through these rows: a new metric is a pair of files that measures it, and a row.
 
 #include "core/image.h"
+#include "study/diagnosis_format.h"
 #include "study/results.h"
 
 #include <cstdint>
@@ -67,5 +68,8 @@ std::map<std::string, double> measure_rows(const MetricInputs& inputs);
 
 /// As people read it; "n/a" when absent.
 std::string format_metric(const Metric& metric, const TechniqueResult& result);
+
+/// A line for each number of `group` that was measured, but those of regions, which have lines of their own.
+TermLines metric_lines(const TechniqueResult& result, std::string_view group);
 
 }  // namespace umbrameter

@@ -126,6 +126,16 @@ TEST(Catalogue, WritesNumbersAsPeopleReadThem) {
   EXPECT_EQ(format_metric(*find_metric("memory_bytes"), run), "1.0 MiB");
 }
 
+TEST(Catalogue, LinesOfAGroupAreThoseThatWereMeasured) {
+  TechniqueResult run = measured_run();
+  run.error->bias.reset();
+  const TermLines lines = metric_lines(run, "error");
+  ASSERT_FALSE(lines.empty());
+  EXPECT_EQ(lines.front(), std::pair(std::string("RMSE [95 %]"), std::string("0.50000 [0.40000, 0.60000]")));
+  for (const auto& [label, text] : lines) EXPECT_TRUE(label != "mean error" && text != "n/a") << label;
+  EXPECT_TRUE(metric_lines({}, "error").empty());
+}
+
 TEST(Catalogue, AnInfinitePsnrIsNoNumber) {
   TechniqueResult run = measured_run();
   run.similarity->psnr_db = INFINITY;
