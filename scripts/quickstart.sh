@@ -8,7 +8,10 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 start=$SECONDS
 phase() { echo "quickstart: [$1/4] $2" >&2; }
-progress() { awk -v phase="$1" -f scripts/quickstart_progress.awk >&2; }
+# Debian's awk waits for 4 KiB of a pipe, unless it is told not to: that is a minute of a build.
+read_at_once=()
+awk -W version 2>&1 </dev/null | grep -q mawk && read_at_once=(-W interactive)
+progress() { awk "${read_at_once[@]}" -v phase="$1" -f scripts/quickstart_progress.awk >&2; }
 
 phase 1 "packages (scripts/packages.txt, those that the program needs)"
 bash scripts/install_packages.sh --program

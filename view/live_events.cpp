@@ -115,17 +115,15 @@ void LiveView::on_key(int key, int action, int mods) {
   }
 }
 
-void LiveView::on_button(int button, int action, double x, double y) {
+void LiveView::on_button(int button, int action) {
   if (action == GLFW_RELEASE) {
     if (dragging_ == button) dragging_.reset();
     return;
   }
-  last_x_ = x;
-  last_y_ = y;
   dragging_ = button;
   const double divider = area_.left + state_.split * area_.width;
   drags_split_ = state_.layout == Layout::split && button == GLFW_MOUSE_BUTTON_LEFT &&
-                 std::abs(x - divider) <= kSplitReach_px;
+                 std::abs(last_x_ - divider) <= kSplitReach_px;
 }
 
 void LiveView::on_move(double x, double y) {

@@ -29,7 +29,7 @@ class LiveView final : public WindowEvents {
   ViewReport run();
 
   void on_key(int key, int action, int mods) override;
-  void on_button(int button, int action, double x, double y) override;
+  void on_button(int button, int action) override;
   void on_move(double x, double y) override;
   void on_scroll(double steps) override;
   void on_drop(const std::string& file) override;

@@ -35,9 +35,8 @@ void on_key(GLFWwindow* window, int key, int scancode, int action, int mods) {
 void on_button(GLFWwindow* window, int button, int action, int mods) {
   ImGui_ImplGlfw_MouseButtonCallback(window, button, action, mods);
   if (ImGui::GetIO().WantCaptureMouse && action == GLFW_PRESS) return;
-  double x = 0.0, y = 0.0;
-  glfwGetCursorPos(window, &x, &y);
-  events_of(window).on_button(button, action, x, y);
+  // Where the pointer was then is what on_move said last; it may be elsewhere by now.
+  events_of(window).on_button(button, action);
 }
 
 void on_move(GLFWwindow* window, double x, double y) {
@@ -166,7 +165,8 @@ void Window::send_key(int key, int action, int mods) {
 }
 
 void Window::send_button(int button, int action, double x, double y) {
-  events_of(handles_->window).on_button(button, action, x, y);
+  if (action == GLFW_PRESS) send_move(x, y);
+  events_of(handles_->window).on_button(button, action);
 }
 
 void Window::send_move(double x, double y) {

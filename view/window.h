@@ -17,7 +17,7 @@ class WindowEvents {
  public:
   virtual ~WindowEvents() = default;
   virtual void on_key(int key, int action, int mods) = 0;
-  virtual void on_button(int button, int action, double x, double y) = 0;
+  virtual void on_button(int button, int action) = 0;
   virtual void on_move(double x, double y) = 0;
   virtual void on_scroll(double steps) = 0;
   virtual void on_drop(const std::string& file) = 0;  // let go over the window

@@ -251,7 +251,7 @@ class WindowTest(unittest.TestCase):
 
             xdotool("key", "ctrl+s")
             still = self.saved("plate-pcf*-1.toml").read_text()
-            xdotool("mousemove", "--window", window, WIDTH // 2, HEIGHT // 2)
+            xdotool("mousemove", "--window", window, WIDTH // 4, HEIGHT // 2)  # not on the divider
             xdotool("mousedown", 1)
             xdotool("mousemove_relative", "--sync", 60, 20)
             xdotool("mouseup", 1)
