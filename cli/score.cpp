@@ -60,9 +60,7 @@ std::string score_text(const PictureScore& picture) {
   if (!score.error) return text;
   const VisibilityError& error = *score.error;
   text += fmt::format("scored pixels    {} of {}\n", error.scored_pixels, score.scorable_pixels);
-  TechniqueResult result;
-  static_cast<Measures&>(result) = score;
-  text += term_lines(metric_lines(result, "error"));
+  text += term_lines(metric_lines(result_of(score), "error"));
   text += region_line("lit", error.lit) + region_line("penumbra", error.penumbra) +
           region_line("umbra", error.umbra);
   text += term_lines(judgement_lines(score.judgement));

@@ -125,13 +125,12 @@ std::vector<Metric> fault_rows() {
                             }}};
   for (size_t k = static_cast<size_t>(FaultClass::acne); k < kFaultClasses; ++k) {
     const auto fault = static_cast<FaultClass>(k);
-    std::string label(name_of(fault));
-    std::ranges::replace(label, '_', ' ');
-    rows.push_back(
-        {fmt::format("fault.{}", name_of(fault)), label, group, unit, "the class's part of the mean |error|",
-         Better::lower, MetricForm::error, "", [fault](const Run& run) {
-           return run.diagnosis ? Value(run.diagnosis->faults.of(fault).mean_abs_error) : std::nullopt;
-         }});
+    rows.push_back({fmt::format("fault.{}", name_of(fault)), format_fault(fault), group, unit,
+                    "the class's part of the mean |error|", Better::lower, MetricForm::error, "",
+                    [fault](const Run& run) {
+                      return run.diagnosis ? Value(run.diagnosis->faults.of(fault).mean_abs_error)
+                                           : std::nullopt;
+                    }});
   }
   return rows;
 }
@@ -236,6 +235,12 @@ std::string_view name_of(Better better) {
 
 std::string_view name_of(MetricForm form) {
   return kFormNames[static_cast<size_t>(form)];
+}
+
+TechniqueResult result_of(const Measures& measures) {
+  TechniqueResult result;
+  static_cast<Measures&>(result) = measures;
+  return result;
 }
 
 const std::vector<Metric>& metric_catalogue() {

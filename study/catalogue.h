@@ -57,6 +57,9 @@ struct Metric {
   std::function<std::optional<double>(const MetricInputs&)> measure = {};
 };
 
+/// A run of which only these are known, for rows to look at.
+TechniqueResult result_of(const Measures& measures);
+
 /// In the order of columns and menus.
 const std::vector<Metric>& metric_catalogue();
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/results_json.h"
 
+#include "study/catalogue.h"
 #include "study/diagnosis_json.h"
 #include "study/json_optional.h"
 #include "study/json_parts.h"
@@ -86,9 +87,7 @@ OrderedJson picture_json(const PictureScore& picture, const std::string& test_fi
   add_judgement(score.judgement, json);
   add_diagnosis(score.diagnosis, json);
   json["similarity"] = similarity_json(score.similarity);
-  TechniqueResult result;
-  static_cast<Measures&>(result) = score;
-  json["measurements"] = measurements_json(result);
+  json["measurements"] = measurements_json(result_of(score));
   json["no_diagnosis"] = failure_json(score.no_diagnosis);
   json["notes"] = picture.notes;
   json["mean_square_rounding"] = picture.mean_square_rounding;

@@ -31,8 +31,7 @@ std::string interval_text(const Interval& interval) {
 
 /// The catalogue's errors and similarities; penumbrae and faults have panels of their own.
 void metric_rows(const Score& score) {
-  TechniqueResult result;
-  static_cast<Measures&>(result) = score;
+  const TechniqueResult result = result_of(score);
   for (const Metric& metric : metric_catalogue()) {
     if ((metric.group != "error" && metric.group != "similarity") || metric.key == "rmse" ||
         !metric.of(result))
