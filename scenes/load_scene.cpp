@@ -85,6 +85,7 @@ Scene parse_scene(std::string_view document, const std::filesystem::path& file, 
   merge_meshes(meshes, scene);
   if (scene.camera.near_world == 0.0) scene.camera.near_world = derived_near(scene);
   if (auto warning = rounding_warning(scene)) scene.warnings.push_back(std::move(*warning));
+  for (std::string& warning : narrow_light_warnings(scene)) scene.warnings.push_back(std::move(warning));
   for (std::string& warning : find_enclosed_lights(scene)) scene.warnings.push_back(std::move(warning));
   scene.hash = hash_scene(scene);
   return scene;

@@ -51,6 +51,7 @@ std::string format_share(double share) {
 }
 
 std::string format_parity(const ParityNumbers& parity) {
+  if (parity.covered == 0) return "no pixel is covered, so there is nothing to compare";
   return fmt::format(
       "agreement {} of {} covered pixels (needs {}): {}; disagreeing: {} coverage, {} surface, {} "
       "irradiance; "

@@ -44,6 +44,8 @@ def _ends(runs: "pandas.DataFrame", value: str) -> Tuple[str, str]:
         if low in runs and value in runs and (low.startswith(value) or value == "time_ms"):
             return low, high
     with_interval = [name for name in runs if f"{name}_low" in runs] + (["time_ms"] if "time_low" in runs else [])
+    if value not in runs:
+        raise InputError(f"there is no column '{value}' (with an interval: {', '.join(with_interval) or 'none'})")
     raise InputError(f"'{value}' has no interval here (with one: {', '.join(with_interval) or 'none'})")
 
 

@@ -144,6 +144,8 @@ class Tables(unittest.TestCase):
     def test_what_has_no_interval_is_refused(self):
         with self.assertRaisesRegex(um.InputError, r"'seed' has no interval here \(with one: rmse, time_ms\)"):
             tables.latex(RUNS, value="seed")
+        with self.assertRaisesRegex(um.InputError, r"there is no column 'rsme' \(with an interval: rmse, time_ms\)"):
+            tables.latex(RUNS, value="rsme")
         with self.assertRaisesRegex(um.InputError, "two runs are called 'fast_bad'"):
             tables.latex(pandas.concat([RUNS, RUNS[RUNS.label == "fast_bad"]]))
 

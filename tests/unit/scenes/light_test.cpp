@@ -3,7 +3,9 @@
 // alike.
 #include "scenes/light.h"
 #include "core/sampling/sobol.h"
+#include "scenes/rounding.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -114,6 +116,28 @@ TEST(Light, RaysToASphereHitItFromEveryDistance) {
       const glm::dvec3 end = p + sample.distance_world * sample.to_light_world;
       ASSERT_NEAR(glm::length(end - light.center_world), 0.5, 1e-5 * distance) << distance;
     }
+  }
+}
+
+TEST(Light, NarrowerThanItsPositionsAreToldApartIsSaid) {
+  Scene scene;
+  scene.bounds_world = {{-4, 0, -4}, {4, 4, 4}};  // a float's rounding at 4 is 2.4e-7
+  const auto warnings = [&](LightType type, double width_world) {
+    Light light = light_above_origin(type);
+    light.name = "lamp";
+    light.size_world = {width_world, 1.0};
+    light.radius_world = width_world / 2;
+    light.half_angle_rad = width_world / 2 / scene.bounds_world.diagonal();
+    scene.lights = {light};
+    return narrow_light_warnings(scene);
+  };
+  for (const LightType type : {LightType::rect, LightType::disk, LightType::sphere, LightType::sun}) {
+    EXPECT_THAT(warnings(type, 1e-4), testing::IsEmpty()) << to_text(type);
+    EXPECT_THAT(warnings(type, 1e-6),
+                testing::ElementsAre(testing::HasSubstr("light 'lamp' is 1e-06 wide and positions are rounded by up to "
+                                                        "2.4e-07: its penumbrae are true to about 0.24 of it")))
+        << to_text(type);
+    EXPECT_THAT(warnings(type, 0.0), testing::IsEmpty()) << to_text(type);
   }
 }
 
