@@ -120,6 +120,7 @@ void LiveView::on_button(int button, int action) {
     if (dragging_ == button) dragging_.reset();
     return;
   }
+  if (!is_over_pictures()) return;
   dragging_ = button;
   const double divider = area_.left + state_.split * area_.width;
   drags_split_ = state_.layout == Layout::split && button == GLFW_MOUSE_BUTTON_LEFT &&
@@ -163,8 +164,13 @@ void LiveView::on_move(double x, double y) {
   }
 }
 
+bool LiveView::is_over_pictures() const {
+  const double across = last_x_ - area_.left, down = last_y_ - area_.top;
+  return across >= 0.0 && across < area_.width && down >= 0.0 && down < area_.height;
+}
+
 void LiveView::on_scroll(double steps) {
-  set_camera(state_, dollied(state_.camera, std::pow(kDollyPerStep, steps)));
+  if (is_over_pictures()) set_camera(state_, dollied(state_.camera, std::pow(kDollyPerStep, steps)));
 }
 
 void LiveView::on_drop(const std::string& file) {

@@ -57,6 +57,7 @@ class LiveView final : public WindowEvents {
   void save(const SaveRequest& request, const Picture& window);
   std::filesystem::path free_name(std::string_view stem, std::string_view ending) const;
   void say(const std::string& note) { note_ = note, note_until_ = Clock::now() + std::chrono::seconds(4); }
+  bool is_over_pictures() const;  // the pointer, as of the last move
   void start_recording_or_stop();
   ViewReport report() const;
   PaintInputs inputs_of(const Image& image) const;
