@@ -62,6 +62,11 @@ function bestAffordable(scene, factor) {
       best < 0 || rmseOf(run) < rmseOf(scene.techniques[best]) ? index : best, -1);
 }
 
+const isTimed = () => results.scenes.some(scene => scene.techniques.some(run => rmseOf(run) !== null && totalMs(run) !== null));
+
+// What the framed runs are: nobody is best for a time that was not measured.
+const bestWords = () => isTimed() ? "best for the time" : "closest to the truth";
+
 function cellLabel(scene, run) {
   const fault = worstFault(run), time = totalMs(run);
   return `${run.label} in ${scene.name}: RMSE ${rmseOf(run)?.toFixed(4) ?? "n/a"}${isOtherQuantity(scene, run) ? " of the irradiance ratio" : ""}` +
@@ -78,7 +83,7 @@ function fillCell(cell, sceneIndex, runIndex, metric, scale, isBest) {
   link.href = `#scene-${sceneIndex + 1}-run-${runIndex + 1}`;
   link.textContent = value === null ? "n/a" : metric.text(value);
   link.title = value === null ? (run.failure?.message ?? `${run.label}: not measured`) : cellLabel(scene, run);
-  if (isBest) link.setAttribute("aria-label", `${link.textContent}, best for the time`);
+  if (isBest) link.setAttribute("aria-label", `${link.textContent}, ${bestWords()}`);
   if (value !== null) {
     const colour = heatColour(scale(metric.wrong(value)));
     cell.style.background = `rgb(${colour})`;
@@ -101,8 +106,10 @@ function drawOverview() {
   const wins = new Map();
   best.forEach((run, scene) => { if (run >= 0) wins.set(results.scenes[scene].techniques[run].label, (wins.get(results.scenes[scene].techniques[run].label) ?? 0) + 1); });
   const words = Array.from(wins).sort((a, b) => b[1] - a[1]).map(([label, count]) => `${label} in ${count}`);
+  document.getElementById("overview-budget").parentElement.hidden = !isTimed();
+  const [first, ...rest] = bestWords();
   document.getElementById("overview-best").textContent = words.length === 0 ? "" :
-      `Best for the time (framed): ${words.join(", ")} of ${results.scenes.length} scene${results.scenes.length === 1 ? "" : "s"}.`;
+      `${first.toUpperCase()}${rest.join("")} (framed): ${words.join(", ")} of ${results.scenes.length} scene${results.scenes.length === 1 ? "" : "s"}.`;
   fillBestTable(factor);
 }
 

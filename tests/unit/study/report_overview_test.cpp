@@ -93,6 +93,21 @@ TEST_F(ReportOverview, BestIsTheClosestWithinTheTimeThatIsAllowed) {
   EXPECT_EQ(seen["values"], Json::parse("[[0, 1, 2], -1, 0, 1]"));
 }
 
+TEST_F(ReportOverview, NobodyIsBestForATimeThatWasNotMeasured) {
+  const std::string texts =
+      "[document.getElementById('overview-best').textContent, "
+      "document.getElementById('overview-budget').parentElement.hidden]";
+  const Json seen = visit(
+      {evaluate(overview_ready()), evaluate(texts),
+       evaluate("results.scenes.forEach(scene => scene.techniques.forEach(run => { run.pass_times = []; "
+                "if (run.measurements) delete run.measurements.time_ms; })); drawOverview()"),
+       evaluate(texts)});
+  EXPECT_TRUE(seen["values"][0][0].get<std::string>().starts_with("Best for the time (framed): "));
+  EXPECT_EQ(seen["values"][0][1], false);
+  EXPECT_TRUE(seen["values"].back()[0].get<std::string>().starts_with("Closest to the truth (framed): "));
+  EXPECT_EQ(seen["values"].back()[1], true);
+}
+
 TEST_F(ReportOverview, CropsHoldTheWorstPixels) {
   const Json seen = visit(Json::array(
       {evaluate("(() => { const entry = {width: 40, height: 30}, n = 1200; const planes = {visibility: "
