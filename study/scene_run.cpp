@@ -11,6 +11,7 @@
 #include "study/shadow_quantity.h"
 #include "study/store/stored_truth.h"
 #include "study/sweep/record.h"
+#include "study/sweep/verdicts.h"
 #include "study/technique_result.h"
 #include "study/timing.h"
 
@@ -36,6 +37,21 @@ void take_result(TimedRun& run, TechniqueFrame& out) {
   take_frame(run, result);
   out.frame = std::move(run.frame);
   result.measured_at = time_now();
+}
+
+void save_visibility(const SceneContext& context, TechniqueFrame& run) {
+  run.result.picture_file = context.relative(file_name_of(run.result.label) + ".png");
+  save_picture(context, run.result.picture_file, visibility_picture(run.frame.image));
+}
+
+/// Visibility and its error where the mask says.
+void save_pictures(const SceneContext& context, const Image& reference, TechniqueFrame& run) {
+  save_visibility(context, run);
+  TechniqueResult& result = run.result;
+  result.error_picture_file = context.relative(file_name_of(result.label) + "-error.png");
+  const Picture picture = signed_error_picture(run.frame.image, reference, run.mask);
+  result.clipped_share = picture.clipped_share;
+  save_picture(context, result.error_picture_file, picture);
 }
 
 void save_visibility(const SceneContext& context, const Image& image, ReferenceResult& result) {
@@ -93,7 +109,6 @@ Image require_reference(const SceneContext& context, SceneResult& scene) {
     Image image = read_image(context.folder / scene.reference->image_file);
     if (!scene.reference->picture_file.empty()) return image;
     save_visibility(context, image, *scene.reference);  // a sweep has no pictures
-    scene.reference->is_reused = false;                 // so that it is kept with one
     return image;
   }
   Frame frame;
@@ -193,19 +208,14 @@ void take_score(const SceneContext& context, const Image& reference, Score score
   TechniqueResult& result = run.result;
   const Image& image = run.frame.image;
   const std::string stem = file_name_of(result.label);
-  result.picture_file = context.relative(stem + ".png");
-  save_picture(context, result.picture_file, visibility_picture(image));
-  if (!score.error) return;
+  if (!score.error) return save_visibility(context, run);
   static_cast<Measures&>(result) = score;
   if (score.maps) {
     result.maps_file = context.relative(stem + "-maps.exr");
     save_image(context, result.maps_file, *score.maps);
   }
   run.mask = std::move(score.mask);
-  result.error_picture_file = context.relative(stem + "-error.png");
-  const Picture picture = signed_error_picture(image, reference, run.mask);
-  result.clipped_share = picture.clipped_share;
-  save_picture(context, result.error_picture_file, picture);
+  save_pictures(context, reference, run);
   if (score.no_diagnosis) {
     result.warnings.push_back("the faults could not be told apart: " + score.no_diagnosis->message);
     return;
@@ -232,11 +242,23 @@ void score_techniques(const SceneContext& context, const Image& reference, std::
   }
 }
 
+void draw_swept(const SceneContext& context, const Image& reference, std::span<TechniqueFrame> runs) {
+  for (TechniqueFrame& run : runs) {
+    if (!run.lacks_pictures) continue;
+    require_picture(context, reference, run);
+    Image& image = run.frame.image;
+    std::ranges::copy(reference.plane("primitive_id"), image.add_plane("primitive_id").begin());
+    save_pictures(context, reference, run);
+  }
+}
+
 void require_picture(const SceneContext& context, const Image& reference, TechniqueFrame& run) {
+  if (!run.mask.empty()) return;
+  run.frame.image = read_image(context.folder / run.result.image_file);
+  run.mask = stored_mask(run.frame.image);
   if (!run.mask.empty()) return;
   const glm::dvec3& eye = context.scene.camera.eye_world;
   const double eye_world[3] = {eye.x, eye.y, eye.z};
-  run.frame.image = read_image(context.folder / run.result.image_file);
   run.mask = scored_mask(compare_surfaces(run.frame.image, reference, eye_world), reference);
 }
 

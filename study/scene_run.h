@@ -31,6 +31,7 @@ struct TechniqueFrame {
   std::vector<uint8_t> mask;  // scored pixels
   std::string key;            // in the store; empty without one
   double scoring_s = 0.0;
+  bool lacks_pictures = false;  // scored by a sweep, which makes none for people
   bool has_verdict = false;  // known, though there may be none
 };
 
@@ -55,6 +56,9 @@ void score_techniques(const SceneContext& context, const Image& reference, std::
 void take_truth(const SceneContext& context, const Image& image, ReferenceResult result, SceneResult& scene);
 void take_parity(const SceneContext& context, const Parity& parity, SceneResult& scene);
 void take_score(const SceneContext& context, const Image& reference, Score score, TechniqueFrame& run);
+
+/// The pictures of runs that lack them, from what a sweep kept.
+void draw_swept(const SceneContext& context, const Image& reference, std::span<TechniqueFrame> runs);
 
 /// Reads the picture of a run that was scored by another process.
 void require_picture(const SceneContext& context, const Image& reference, TechniqueFrame& run);

@@ -43,7 +43,7 @@ struct SceneWork {
 };
 
 bool is_missing(const TechniqueFrame& run) {
-  return !run.result.is_reused;
+  return !run.result.is_reused || run.lacks_pictures;
 }
 
 /// Sequences of the truth are made once a scene, and only when a run was scored.
@@ -138,7 +138,10 @@ void measure(const SceneWork& work, SceneResult& scene, std::vector<TechniqueFra
   if (!all_failed) reference = require_reference(context, scene);
   if (scene.reference && !scene.parity && !all_failed)
     compare_renderers(context, surfaces.image, reference, scene);
-  if (scene.parity && scene.parity->passes) score_techniques(context, reference, runs);
+  if (scene.parity && scene.parity->passes) {
+    score_techniques(context, reference, runs);
+    draw_swept(context, reference, runs);
+  }
   if (work.memory != nullptr) recall_verdicts(work, runs);
   compare_with_baseline(context, reference, runs);
   if (work.plan.temporal_frames > 0) measure_sequences(context, reference, runs);

@@ -10,6 +10,7 @@
 #include "study/run_json.h"
 #include "study/store/objects.h"
 #include "study/sweep/record.h"
+#include "study/sweep/validated.h"
 
 #include <array>
 
@@ -112,11 +113,17 @@ std::string ValidationMemory::reference_of(const SceneSource& source, const Vali
 void ValidationMemory::recall(const SceneSource& source, const ValidationPlan& plan, const fs::path& folder,
                               SceneResult& scene, std::vector<TechniqueFrame>& runs) {
   const std::string reference = reference_of(source, plan);
+  lacks_picture_ = false;
   for (TechniqueFrame& run : runs) {
-    run.key =
-        validated_run_key(run_key(reference, run.technique, plan.picture.seed, plan.metrics, makers_), plan);
+    const std::string key = run_key(reference, run.technique, plan.picture.seed, plan.metrics, makers_);
+    run.key = validated_run_key(key, plan);
     const auto json = find(run.key);
     auto record = json ? parse_run_record(*json) : std::nullopt;
+    if (!record && reuse_) {
+      record = find_swept(store_, key, plan);
+      run.lacks_pictures = record.has_value();
+      if (record) record->result.measured_at = record->head.started;
+    }
     if (!record || !is_final(record->result)) continue;
     record->result.label = run.result.label;
     record->result.is_reused = true;
@@ -127,6 +134,7 @@ void ValidationMemory::recall(const SceneSource& source, const ValidationPlan& p
   if (auto record = truth ? parse_reference_record(*truth) : std::nullopt) {
     scene.reference = std::move(record->result);
     scene.reference->is_reused = true;
+    lacks_picture_ = scene.reference->picture_file.empty();
     if (scene.reference->measured_at.empty()) scene.reference->measured_at = record->head.started;
     place(store_.store(), folder, scene.name, *scene.reference);
   }
@@ -148,13 +156,15 @@ void ValidationMemory::put_run(const std::string& reference, const SceneSource& 
   record.result.judgement.verdict.reset();
   record.result.fault_causes.reset();  // the same
   store_.store().put({run.key, EntryKind::run, to_json_text(record)});
+  note_validated(store_.store(), run_key(reference, run.technique, plan.picture.seed, plan.metrics, makers_),
+                 run.key);
 }
 
 void ValidationMemory::remember(const SceneSource& source, const ValidationPlan& plan, const fs::path& folder,
                                 SceneResult& scene, std::vector<TechniqueFrame>& runs) {
   if (!scene.reference || !scene.parity) return;
   const std::string reference = reference_of(source, plan);
-  if (!scene.reference->is_reused) {
+  if (!scene.reference->is_reused || lacks_picture_) {
     const ReferenceResult truth = kept(store_.store(), folder, *scene.reference);
     const RecordHead head = head_of(source, plan, truth.measured_at, truth.wall_time_s);
     store_.store().put({reference, EntryKind::reference, to_json_text(ReferenceRecord{head, truth})});
@@ -162,7 +172,8 @@ void ValidationMemory::remember(const SceneSource& source, const ValidationPlan&
   const ParityNumbers parity = kept(store_.store(), folder, *scene.parity);
   store_.store().put({parity_key(reference, makers_), EntryKind::parity, parity_json(parity).dump()});
   for (const TechniqueFrame& run : runs) {
-    if (!run.result.is_reused && is_final(run.result)) put_run(reference, source, plan, folder, scene, run);
+    if (run.result.is_reused && !run.lacks_pictures) continue;
+    if (is_final(run.result)) put_run(reference, source, plan, folder, scene, run);
   }
 }
 

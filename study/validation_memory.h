@@ -49,6 +49,7 @@ class ValidationMemory {
   LateStore& store_;
   Makers makers_;
   bool reuse_;
+  bool lacks_picture_ = false;  // the truth recalled last: a sweep's has none for people
 };
 
 }  // namespace umbrameter

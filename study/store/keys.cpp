@@ -65,6 +65,10 @@ std::string validated_run_key(const std::string& run, const ValidationPlan& plan
   return hasher.hex();
 }
 
+std::string validated_note_key(const std::string& run) {
+  return Hasher().text("validated note").text(run).hex();
+}
+
 std::string verdict_key(const std::string& run, const std::string& baseline) {
   return Hasher().text("verdict").text(run).text(baseline).hex();
 }

@@ -37,6 +37,9 @@ std::string parity_key(const std::string& reference, const Makers& makers);
 /// Of a run_key()'s run with what `plan` wants beside its numbers: times, sequences, a limit.
 std::string validated_run_key(const std::string& run, const ValidationPlan& plan);
 
+/// Of the note under which validated_run_key() a run_key()'s run is kept.
+std::string validated_note_key(const std::string& run);
+
 /// Of a verdict between two runs, by their keys.
 std::string verdict_key(const std::string& run, const std::string& baseline);
 

@@ -33,6 +33,14 @@ auto order_of(const RunRecord& record) {
                   head.picture.height_px, head.picture.samples_per_pixel, head.started);
 }
 
+/// Of the same run, a sweep's entry is worth more than a validation's: it has a baseline.
+bool is_newer(const RunRecord& run, const RunRecord& other) {
+  const auto order = [](const RunRecord& record) {
+    return std::pair(record.head.started, record.result.picture_file.empty());
+  };
+  return order(run) > order(other);
+}
+
 std::vector<RunRecord> newest(std::vector<RunRecord> runs) {
   std::map<std::string, RunRecord> by_identity;
   for (RunRecord& run : runs) {
@@ -40,7 +48,7 @@ std::vector<RunRecord> newest(std::vector<RunRecord> runs) {
     const auto kept = by_identity.find(identity);
     if (kept == by_identity.end())
       by_identity.emplace(identity, std::move(run));
-    else if (kept->second.head.started < run.head.started)
+    else if (is_newer(run, kept->second))
       kept->second = std::move(run);
   }
   std::vector<RunRecord> all;

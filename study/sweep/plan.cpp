@@ -3,6 +3,7 @@
 
 #include "study/sweep/costs.h"
 #include "study/sweep/record.h"
+#include "study/sweep/validated.h"
 
 #include <fmt/format.h>
 
@@ -32,7 +33,9 @@ void decide(PlanStep& step, StepAction action, const std::string& reason) {
 void decide_by_store(const Planner& planner, PlanStep& step) {
   if (!planner.plan.reuse) return decide(step, StepAction::render, "reuse is off");
   const auto json = planner.store == nullptr ? std::nullopt : planner.store->find(step.key);
-  const auto stored = json ? parse_run_record(*json) : std::nullopt;
+  auto stored = json ? parse_run_record(*json) : std::nullopt;
+  if (!stored && planner.store != nullptr)
+    stored = find_validated(*planner.store, step.key, planner.plan.timing.has_value());
   if (!stored) return decide(step, StepAction::render, "not stored");
   const auto& failure = stored->result.failure;
   if (failure && failure->kind != ErrorKind::input)

@@ -2,14 +2,18 @@
 #include "study/sweep/sweep.h"
 
 #include "core/clock.h"
+#include "metrics/parity.h"
 #include "study/guard.h"
+#include "study/json_parts.h"
 #include "study/measured.h"
 #include "study/metadata.h"
+#include "study/pictures.h"
 #include "study/score.h"
 #include "study/shadow_quantity.h"
 #include "study/store/stored_truth.h"
 #include "study/sweep/make_record.h"
 #include "study/sweep/share_progress.h"
+#include "study/sweep/validated.h"
 #include "study/sweep/verdicts.h"
 #include "study/technique_result.h"
 
@@ -45,6 +49,22 @@ struct SweepContext {
   Baseline baseline;
   SweepOutcome outcome;
 };
+
+std::string keep_picture(SweepContext& context, const Picture& picture) {
+  const std::filesystem::path file = context.scratch / "picture.png";
+  write_picture(file, picture);
+  return context.store.keep(file);
+}
+
+/// As a validation keeps it. An engine's surfaces are not those of our G-buffer.
+void keep_parity(SweepContext& context, const Parity& parity, const Image& image,
+                 const std::string& reference) {
+  const std::string key = parity_key(reference, context.plan.makers);
+  if (image.metadata.contains("engine_parity") || context.store.find(key)) return;
+  ParityNumbers numbers = parity_numbers(parity, ParityTolerance{}.required_agreement);
+  numbers.picture_file = keep_picture(context, parity_picture(parity));
+  context.store.put({key, EntryKind::parity, parity_json(numbers).dump()});
+}
 
 LabelledRequest request_of(const SweepPlan& plan, const BenchRun& run) {
   return {run.technique.label, request_of(plan.picture, run.technique, run.seed)};
@@ -123,16 +143,46 @@ void check_measured(SweepContext& context, const PlanStep& step, const std::opti
       fmt::format("{}, {}: not measured: {}", full_name(context.scenes[step.scene]), label, *reason));
 }
 
+/// Of the scene's first run of that seed; empty for itself.
+std::string baseline_key(const SweepContext& context, const PlanStep& step, const std::string& reference) {
+  const SweepPlan& plan = context.plan;
+  const size_t baseline = baseline_of(plan, context.scenes[step.scene].scene, *step.run);
+  if (baseline == *step.run) return {};
+  const BenchRun& first = plan.runs[baseline];
+  return run_key(reference, first.technique, first.seed, plan.metrics, plan.makers);
+}
+
+/// A run that a validation has is kept as a sweep's, and compared with its baseline.
+bool take_validated(SweepContext& context, const PlanStep& step, const std::string& reference) {
+  if (!context.plan.reuse) return false;
+  auto validated = find_validated(context.store, step.key, context.plan.timing.has_value());
+  if (!validated) return false;
+  require_truth(context, step.scene, reference);
+  if (!context.truth.image) return false;
+  const StudyScene& job = context.scenes[step.scene];
+  const BenchRun& run = context.plan.runs[*step.run];
+  const StoredPicture picture =
+      swept_picture(context.store, *validated, *context.truth.image, job.scene.camera);
+  RunRecord record = swept(*std::move(validated), run.technique.label);
+  record.head.scene = job.name;
+  record.head.camera = job.camera;
+  record.baseline = baseline_key(context, step, reference);
+  record.result.image_file = keep_image(context.store, picture.image, context.scratch);
+  context.store.put({step.key, EntryKind::run, to_json_text(record)});
+  ++context.outcome.reused;
+  check_measured(context, step, record.result.error,
+                 static_cast<size_t>(std::ranges::count(scorable_mask(*context.truth.image), 1)));
+  if (!record.baseline.empty()) judge(context, record, picture);
+  return true;
+}
+
 void render_run(SweepContext& context, const PlanStep& step, const std::string& reference) {
   const StudyScene& job = context.scenes[step.scene];
   const SweepPlan& plan = context.plan;
   const BenchRun& run = plan.runs[*step.run];
   RunRecord record = make_record(run, make_head(job, plan.picture, run.seed), reference);
   const size_t baseline = baseline_of(plan, job.scene, *step.run);
-  if (baseline != *step.run) {
-    const BenchRun& first = plan.runs[baseline];
-    record.baseline = run_key(reference, first.technique, first.seed, plan.metrics, plan.makers);
-  }
+  record.baseline = baseline_key(context, step, reference);
   MetricChoice metrics = plan.metrics;
   metrics.verdict = false;  // a verdict is of two runs
   TechniqueResult& result = record.result;
@@ -146,6 +196,10 @@ void render_run(SweepContext& context, const PlanStep& step, const std::string& 
       Score score = score_image(frame.image, truth, job.scene.camera.eye_world, {metrics, {}},
                                 made ? nullptr : &context.truth.shared);
       take_score(score, record);
+      keep_parity(context, score.parity, frame.image, reference);
+      if (score.diagnosis)
+        result.fault_picture_file =
+            keep_picture(context, fault_picture(score.fault_classes, truth.width, truth.height));
       check_measured(context, step, score.error, score.scorable_pixels);
       picture = {picture_to_store(frame.image, score.mask), std::move(score.mask)};
     });
@@ -185,7 +239,7 @@ void do_run(SweepContext& context, const PlanStep& step, const std::string& refe
     ++context.outcome.skipped;
     return;
   }
-  if (take_stored(context, step)) return;
+  if (take_stored(context, step) || take_validated(context, step, reference)) return;
   require_truth(context, step.scene, reference);
   if (!context.truth.image) {
     ++context.outcome.not_done;

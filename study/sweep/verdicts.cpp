@@ -50,13 +50,20 @@ Image picture_to_store(const Image& image, std::span<const uint8_t> mask) {
   return picture;
 }
 
+std::vector<uint8_t> stored_mask(const Image& picture) {
+  std::vector<uint8_t> mask;
+  if (!picture.has("scored")) return mask;
+  for (const float scored : picture.plane("scored")) mask.push_back(scored > 0.0f ? 1 : 0);
+  return mask;
+}
+
 std::optional<StoredPicture> find_picture(Store& store, const std::string& key) {
   const auto json = store.find(key);
   const auto run = json ? parse_run_record(*json) : std::nullopt;
   if (!run || run->result.failure || run->result.image_file.empty()) return std::nullopt;
   StoredPicture picture{read_image(store.path_of(run->result.image_file)), {}};
-  if (!picture.image.has("scored")) return std::nullopt;
-  for (const float scored : picture.image.plane("scored")) picture.mask.push_back(scored > 0.0f ? 1 : 0);
+  picture.mask = stored_mask(picture.image);
+  if (picture.mask.empty()) return std::nullopt;
   return picture;
 }
 

@@ -21,6 +21,9 @@ struct StoredPicture {
 /// The planes `visibility` and `scored` (0 or 1).
 Image picture_to_store(const Image& image, std::span<const uint8_t> mask);
 
+/// The mask of such a picture; empty without one.
+std::vector<uint8_t> stored_mask(const Image& picture);
+
 /// Of the run under `key`; absent when it is not stored, failed, was not comparable, or another verb made it.
 std::optional<StoredPicture> find_picture(Store& store, const std::string& key);
 

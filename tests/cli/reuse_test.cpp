@@ -163,5 +163,52 @@ TEST_F(Reuse, SkippingChangesNoNumberOfTheLibrary) {
   }
 }
 
+TEST_F(Reuse, AValidationAndASweepOfTheSameRunsRenderThemOnce) {
+  write("study.toml",
+        "schema = 1\ntitle = \"Two\"\nscenes = [\"plate\"]\nwidth_px = 64\nheight_px = 36\n"
+        "samples_per_pixel = 16\nframes = 1\n[[run]]\ntechnique = \"hard\"\n[[run]]\ntechnique = \"pcf\"\n");
+  const auto sweep = [&](const std::string& store) {
+    const ProcessResult result = umbrameter({"sweep", "study.toml", "--time", "--json", "--out", store});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return Json::parse(result.out);
+  };
+  const auto validate_into = [&](const std::string& store) {
+    return validate({"plate", "--technique", "hard", "--technique", "pcf", "--quality", "quick", "--frames",
+                     "1", "--causes", "none", "--out", store});
+  };
+  const auto verdict_of = [&](const std::string& store) {
+    const ProcessResult result = umbrameter({"export", store, "--json"});
+    const Json exported = Json::parse(result.out), &runs = exported["runs"];
+    EXPECT_EQ(runs.size(), 2u);
+    for (const Json& run : runs)
+      if (run["result"]["label"] == "pcf") return run["result"]["verdict"]["mse_difference"];
+    return Json();
+  };
+  EXPECT_EQ(sweep("swept")["rendered"], 2);
+  const Json after = validate_into("swept");
+  EXPECT_EQ(after["work"]["rendered"], 0);
+  EXPECT_EQ(after["work"]["references_rendered"], 0);
+  const Json alone = validate_into("validated");
+  EXPECT_EQ(alone["work"]["rendered"], 2);
+  EXPECT_EQ(numbers_of(after), numbers_of(alone));
+  for (size_t i = 0; i < 2; ++i) {
+    for (const char* picture : {"picture_file", "error_picture_file", "fault_picture_file"}) {
+      const std::string file = after["scenes"][0]["techniques"][i][picture];
+      ASSERT_FALSE(file.empty()) << picture;
+      EXPECT_EQ(read("swept/" + file), read("validated/" + file)) << file;
+    }
+  }
+  const std::string parity = after["scenes"][0]["parity"]["picture_file"];
+  EXPECT_EQ(read("swept/" + parity), read("validated/" + parity));
+
+  const Json swept = sweep("validated");
+  EXPECT_EQ(swept["rendered"], 0);
+  EXPECT_EQ(swept["reused"], 2);
+  EXPECT_TRUE(verdict_of("validated").is_object());
+  EXPECT_EQ(verdict_of("validated"), verdict_of("swept"));
+  EXPECT_EQ(validate_into("validated")["work"]["rendered"], 0);
+  EXPECT_EQ(validate_into("swept")["work"]["rendered"], 0);
+}
+
 }  // namespace
 }  // namespace umbrameter
