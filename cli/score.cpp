@@ -3,6 +3,7 @@
 
 #include "cli/console.h"
 #include "cli/light_option.h"
+#include "cli/positive_number.h"
 #include "cli/score_inputs.h"
 #include "cli/score_results.h"
 #include "cli/verbs.h"
@@ -194,7 +195,7 @@ void add_score(CLI::App& app, CommandLine& line) {
       ->capture_default_str();
   add_one_light_option(*verb, line.global);
   verb->add_option("--limit", options->limit_rmse, "RMSE to keep; exit code 1 when it is above for certain")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number());
   verb->add_option("--metrics", options->metrics, kMetricsHelp);
   verb->add_flag("--maps", options->maps, kMapsHelp);
   verb->callback([options, &line] { line.verb = [options, &line] { return score(*options, line.global); }; });

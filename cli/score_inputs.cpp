@@ -2,6 +2,7 @@
 #include "cli/score_inputs.h"
 
 #include "cli/home.h"
+#include "cli/positive_number.h"
 #include "cli/progress_bar.h"
 #include "cli/reference_renderer.h"
 #include "core/error.h"
@@ -96,7 +97,7 @@ void add_score_input_options(CLI::App& verb, ScoreInputOptions& options) {
   verb.add_option("--axes", options.axes,
                   "our x, y, z by the surfaces' axes, such as --axes=x,z,-y where z is up");
   verb.add_option("--unit", options.unit, "length of the surfaces' unit in ours: 0.01 for centimetres")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number());
   verb.add_option("--quality", options.quality.quality,
                   "of a reference that is rendered; the size is the picture's")
       ->capture_default_str();

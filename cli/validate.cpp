@@ -5,6 +5,7 @@
 #include "cli/late_realtime.h"
 #include "cli/light_option.h"
 #include "cli/page_memory.h"
+#include "cli/positive_number.h"
 #include "cli/preset_file.h"
 #include "cli/progress_bar.h"
 #include "cli/quality.h"
@@ -275,7 +276,7 @@ void add_validate(CLI::App& app, CommandLine& line) {
                    "label of the technique that verdicts compare with (default: hard, else the first)");
   verb->add_option("--limit", options->limit_rmse,
                    "RMSE that techniques must keep; exit code 1 when one does not")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number());
   verb->add_option("--min-scored", options->min_scored,
                    "share of the pixels that the truth can score that must be scored, else exit code 1")
       ->check(CLI::Range(0.0, 1.0))

@@ -55,7 +55,11 @@ TEST_F(ScoreOptions, ALimitDecidesTheExitCode) {
   const ProcessResult kept = score({"--limit", "0.5"});
   EXPECT_EQ(kept.exit_code, 0) << kept.err;
   EXPECT_THAT(kept.out, HasSubstr("RMSE 0.5: pass"));
-  EXPECT_EQ(score({"--limit", "-1"}).exit_code, 2);
+  for (const std::string limit : {"-1", "0", "inf"}) {
+    const ProcessResult refused = score({"--limit", limit});
+    EXPECT_EQ(refused.exit_code, 2) << limit;
+    EXPECT_THAT(refused.err, HasSubstr("--limit: '" + limit + "' is not a number above 0")) << limit;
+  }
 }
 
 }  // namespace
