@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# cmake -DSOURCE_DIR=... -DOUTPUT=... -P code_hashes.cmake: writes study/store/code_hashes.h's constants. Comments and
+# cmake -DSOURCE_DIR=... -DOUTPUT=... -P code_hashes.cmake: writes store/code_hashes.h's constants. Comments and
 # formatting count, too: an edit that changes nothing costs a rendering, a change that goes unnoticed costs a wrong number.
 function(hash_rooms variable)
   set(text "")
@@ -19,7 +19,7 @@ endfunction()
 hash_rooms(reference core scenes reference)
 hash_rooms(realtime core scenes realtime engines)
 hash_rooms(scoring core metrics study)
-set(text "#include \"study/store/code_hashes.h\"
+set(text "#include \"store/code_hashes.h\"
 
 namespace umbrameter {
 

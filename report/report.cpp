@@ -7,8 +7,8 @@
 #include "report/html.h"
 #include "report/page_data.h"
 #include "report/side_files.h"
+#include "store/store.h"
 #include "study/results_json.h"
-#include "study/store/store.h"
 #include "study/sweep/stored_results.h"
 
 #include <limits>

@@ -32,7 +32,7 @@ struct TechniqueFrame {
   std::string key;            // in the store; empty without one
   double scoring_s = 0.0;
   bool lacks_pictures = false;  // scored by a sweep, which makes none for people
-  bool has_verdict = false;  // known, though there may be none
+  bool has_verdict = false;     // known, though there may be none
 };
 
 /// Every run of the plan that supports the light, undone; the others join `skipped`.

@@ -3,12 +3,12 @@
 
 #include "core/hash.h"
 #include "core/version.h"
+#include "store/objects.h"
 #include "study/causes/causes_json.h"
 #include "study/json_parts.h"
 #include "study/judgement_json.h"
 #include "study/metadata.h"
 #include "study/run_json.h"
-#include "study/store/objects.h"
 #include "study/sweep/record.h"
 #include "study/sweep/validated.h"
 

@@ -2,9 +2,9 @@
 #pragma once
 // What a validation finds in a store and leaves there, so that the same question is not rendered twice (docs/store.md).
 
+#include "store/late_store.h"
 #include "study/scene_run.h"
 #include "study/store/keys.h"
-#include "study/store/late_store.h"
 
 #include <filesystem>
 #include <string>

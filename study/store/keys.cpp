@@ -3,7 +3,7 @@
 
 #include "core/files.h"
 #include "core/hash.h"
-#include "study/store/code_hashes.h"
+#include "store/code_hashes.h"
 
 #include <map>
 

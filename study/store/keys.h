@@ -12,7 +12,7 @@
 
 namespace umbrameter {
 
-/// What makes the pictures beside our own C++, whose hash is built in (study/store/code_hashes.h).
+/// What makes the pictures beside our own C++, whose hash is built in (store/code_hashes.h).
 struct Makers {
   std::string reference;  // the ray tracer with its version
   std::string realtime;   // the GL device with its driver's version

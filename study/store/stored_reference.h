@@ -3,9 +3,9 @@
 // A ray tracer that looks into a store before it works, so that no truth is rendered twice (docs/store.md).
 
 #include "core/renderer.h"
+#include "store/late_store.h"
 #include "study/picture_quality.h"
 #include "study/store/keys.h"
-#include "study/store/late_store.h"
 #include "study/sweep/record.h"
 
 #include <cstddef>

@@ -4,7 +4,7 @@
 // (study/store/keys.h) and when it is asked for.
 
 #include "core/renderer.h"
-#include "study/store/store.h"
+#include "store/store.h"
 #include "study/sweep/record.h"
 
 #include <filesystem>

@@ -2,8 +2,8 @@
 #pragma once
 // How long a run or a truth will take: from what the store has seen, else a rough model.
 
+#include "store/store.h"
 #include "study/store/keys.h"
-#include "study/store/store.h"
 #include "study/timing.h"
 
 #include <map>

@@ -2,7 +2,7 @@
 #pragma once
 // A store's runs as a list, as JSON and as CSV (docs/store.md).
 
-#include "study/store/store.h"
+#include "store/store.h"
 #include "study/sweep/record.h"
 
 #include <string>

@@ -2,7 +2,7 @@
 #pragma once
 // Several stores become one, as if one process had filled it.
 
-#include "study/store/store.h"
+#include "store/store.h"
 
 #include <cstddef>
 

@@ -2,9 +2,9 @@
 #pragma once
 // What a sweep will do, said before it does it. Not here: doing it (study/sweep/sweep.h).
 
+#include "store/store.h"
 #include "study/bench.h"
 #include "study/store/keys.h"
-#include "study/store/store.h"
 
 #include <cstddef>
 #include <optional>

@@ -2,8 +2,8 @@
 #pragma once
 // The runs of a store as the results of a validation, so that a page can show what a sweep left (docs/store.md).
 
+#include "store/store.h"
 #include "study/results.h"
-#include "study/store/store.h"
 
 #include <optional>
 

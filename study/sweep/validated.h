@@ -3,7 +3,7 @@
 // What `sweep` and `validate` keep of the same run differs: a sweep's has no pictures for people, a validation's no mask and no
 // baseline. Here each finds the other's, so that neither renders what the other has (docs/store.md).
 
-#include "study/store/late_store.h"
+#include "store/late_store.h"
 #include "study/sweep/record.h"
 #include "study/sweep/verdicts.h"
 #include "study/validation.h"

@@ -13,11 +13,12 @@ ARROWS = {
     "reference": {"core", "scenes"},
     "realtime": {"core", "scenes"},
     "engines": {"core", "scenes"},
-    "study": {"core", "scenes", "metrics"},
-    "report": {"core", "study"},
-    "view": {"core", "scenes", "metrics", "reference", "realtime", "study"},
-    "cli": {"core", "scenes", "metrics", "reference", "realtime", "engines", "study", "report", "view"},
-    "python": {"core", "scenes", "metrics", "reference", "realtime", "engines", "study"},
+    "store": {"core"},
+    "study": {"core", "scenes", "metrics", "store"},
+    "report": {"core", "store", "study"},
+    "view": {"core", "scenes", "metrics", "reference", "realtime", "store", "study"},
+    "cli": {"core", "scenes", "metrics", "reference", "realtime", "engines", "store", "study", "report", "view"},
+    "python": {"core", "scenes", "metrics", "reference", "realtime", "engines", "store", "study"},
 }
 # Include prefix -> where it may appear.
 HOMES = {
@@ -33,7 +34,7 @@ HOMES = {
     "tiny_obj_loader.h": ("scenes/",),
     "assimp/": ("scenes/assimp/",),
     "CLI/": ("cli/",),
-    "sqlite3.h": ("study/store/",),
+    "sqlite3.h": ("store/",),
     "pybind11/": ("python/",),
     "nlopt.hpp": ("study/tune/",),
 }

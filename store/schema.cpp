@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "study/store/schema.h"
+#include "store/schema.h"
 
 #include "core/error.h"
 #include "core/files.h"
 #include "core/hash.h"
-#include "study/store/store.h"
+#include "store/store.h"
 
 #include <fcntl.h>
 #include <sys/file.h>

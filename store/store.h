@@ -3,7 +3,7 @@
 // The results folder that remembers: store.sqlite beside content-addressed images (docs/store.md). An entry is a JSON
 // text under a key that stands for everything that can change it. Several processes may write at once.
 
-#include "study/store/database.h"
+#include "store/database.h"
 
 #include <filesystem>
 #include <optional>

@@ -2,7 +2,7 @@
 #pragma once
 // A store that is made when the first thing is put into it, so that a run that ends before leaves nothing behind.
 
-#include "study/store/store.h"
+#include "store/store.h"
 
 #include <memory>
 #include <string>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// SQLite with our errors: the only user of sqlite3.h. Not here: what is stored (study/store/store.h).
+// SQLite with our errors: the only user of sqlite3.h. Not here: what is stored (store/store.h).
 
 #include <cstdint>
 #include <filesystem>

@@ -5,8 +5,8 @@
 
 #include "core/error.h"
 #include "core/files.h"
-#include "study/store/objects.h"
-#include "study/store/store.h"
+#include "store/objects.h"
+#include "store/store.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "study/store/database.h"
+#include "store/database.h"
 
 #include "core/error.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "study/store/file_stamp.h"
+#include "store/file_stamp.h"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 #pragma once
 // The tables of store.sqlite, and what is done when they are damaged. Described in docs/store.md.
 
-#include "study/store/database.h"
+#include "store/database.h"
 
 #include <filesystem>
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "study/store/objects.h"
+#include "store/objects.h"
 
 #include "core/error.h"
 #include "core/files.h"

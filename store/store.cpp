@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "study/store/store.h"
+#include "store/store.h"
 
 #include "core/error.h"
 #include "core/files.h"
 #include "core/hash.h"
-#include "study/store/objects.h"
-#include "study/store/schema.h"
+#include "store/objects.h"
+#include "store/schema.h"
 
 #include <sys/stat.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Files named by what is in them: objects/ab/cdef....exr is the file whose XXH3 hash is abcdef.... Not here: which
-// results they belong to (study/store/store.h).
+// results they belong to (store/store.h).
 
 #include <filesystem>
 #include <string>
