@@ -5,7 +5,7 @@
 namespace umbrameter {
 
 extern const char* const kReferenceCodeHash;  // core, scenes, reference
-extern const char* const kRealtimeCodeHash;   // core, scenes, realtime
-extern const char* const kScoringCodeHash;    // core, metrics, study
+extern const char* const kRealtimeCodeHash;   // core, scenes, realtime, engines
+extern const char* const kScoringCodeHash;    // core, metrics, lab, the rows of results that measure
 
 }  // namespace umbrameter
