@@ -7,6 +7,7 @@
 #include "metrics/envelope.h"
 #include "metrics/faults.h"
 #include "metrics/flip.h"
+#include "metrics/lit_similarity.h"
 #include "metrics/moire.h"
 #include "metrics/parity.h"
 #include "metrics/penumbra.h"
@@ -15,7 +16,6 @@
 #include "metrics/temporal.h"
 #include "metrics/verdict.h"
 #include "metrics/visibility_error.h"
-#include "study/similarity.h"
 
 #include <benchmark/benchmark.h>
 

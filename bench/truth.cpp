@@ -14,7 +14,7 @@
 #include "reference/ray_budget.h"
 #include "reference/reference.h"
 #include "scenes/load_scene.h"
-#include "study/truth_curve.h"
+#include "study/grid/truth_curve.h"
 
 #include <fmt/format.h>
 

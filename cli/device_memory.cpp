@@ -2,7 +2,7 @@
 #include "cli/device_memory.h"
 
 #include "core/hash.h"
-#include "study/store/file_stamp.h"
+#include "store/file_stamp.h"
 
 #include <nlohmann/json.hpp>
 

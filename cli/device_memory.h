@@ -3,7 +3,7 @@
 // The GL device's identity without a GL context: remembered in a store as long as nothing that could change it has.
 
 #include "cli/verbs.h"
-#include "study/store/late_store.h"
+#include "store/late_store.h"
 
 #include <optional>
 #include <string>

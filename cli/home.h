@@ -6,9 +6,9 @@
 #include "core/parameters.h"
 #include "core/progress.h"
 #include "engines/host/manifest.h"
+#include "lab/validation.h"
 #include "realtime/manifest/technique.h"
 #include "scenes/load_scene.h"
-#include "study/validation.h"
 
 #include <filesystem>
 #include <memory>

@@ -4,7 +4,7 @@
 
 #include "cli/home.h"
 #include "cli/late_renderer.h"
-#include "study/store/late_store.h"
+#include "store/late_store.h"
 
 #include <string>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/console.h"
 #include "cli/verbs.h"
-#include "study/catalogue.h"
-#include "study/run_json.h"
+#include "results/catalogue.h"
+#include "results/run_json.h"
 
 #include <nlohmann/json.hpp>
 

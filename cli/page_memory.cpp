@@ -4,7 +4,7 @@
 #include "core/files.h"
 #include "core/hash.h"
 #include "report/side_files.h"
-#include "study/store/file_stamp.h"
+#include "store/file_stamp.h"
 
 #include <fmt/format.h>
 

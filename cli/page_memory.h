@@ -3,7 +3,7 @@
 // Whether a results folder holds the page of given results already: making it again takes longer than everything else when
 // nothing is rendered.
 
-#include "study/store/late_store.h"
+#include "store/late_store.h"
 
 #include <filesystem>
 #include <string>

@@ -3,7 +3,7 @@
 // Resolution and samples: --quality and what overrides it.
 
 #include "core/error.h"
-#include "study/picture_quality.h"
+#include "results/picture_quality.h"
 
 #include <CLI/CLI.hpp>
 

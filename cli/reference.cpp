@@ -11,7 +11,7 @@
 #include "cli/staging.h"
 #include "core/image_io.h"
 #include "reference/ray_budget.h"
-#include "study/metadata.h"
+#include "results/metadata.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -4,13 +4,13 @@
 
 #include "cli/verbs.h"
 #include "core/renderer.h"
-#include "study/picture_quality.h"
+#include "results/picture_quality.h"
 
 #include <memory>
 
 namespace umbrameter {
 
-/// Who makes truths, as keys of the store have it (study/store/keys.h).
+/// Who makes truths, as keys of the store have it (lab/keys.h).
 extern const char* const kReferenceMaker;
 
 /// `skip_proven`: as in reference/reference.h.

@@ -12,9 +12,9 @@
 #include "core/files.h"
 #include "core/version.h"
 #include "reference/reference.h"
+#include "report/regress_output.h"
 #include "report/report.h"
-#include "study/regress/output.h"
-#include "study/results_json.h"
+#include "results/results_json.h"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>

@@ -7,7 +7,9 @@
 #include "cli/staging.h"
 #include "core/error.h"
 #include "reference/reference.h"
+#include "report/regress_output.h"
 #include "study/regress/prove.h"
+#include "study/selftest/fault_list.h"
 
 #include <fmt/format.h>
 
@@ -46,8 +48,8 @@ int prove_regress(const std::vector<std::string>& scenes, const GlobalOptions& g
   settings.shaders_folder = home.shaders;
   settings.scratch_folder = staging.folder();
   ProgressBar progress;
-  const std::vector<ProvedFault> faults =
-      prove_faults(jobs, settings, {*reference, *reference, *realtime}, kProofSamples, {}, progress);
+  const std::vector<ProvedFault> faults = prove_faults(
+      fault_list(), jobs, settings, {*reference, *reference, *realtime}, kProofSamples, {}, progress);
   if (faults.empty()) fail_input("no fault is written for these scenes");
   print_answer(proof_markdown(faults));
   const auto found = std::ranges::count_if(faults, &ProvedFault::is_found);

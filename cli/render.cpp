@@ -7,10 +7,10 @@
 #include "cli/staging.h"
 #include "core/error.h"
 #include "core/image_io.h"
+#include "lab/timing.h"
 #include "realtime/inspect.h"
-#include "study/format.h"
-#include "study/metadata.h"
-#include "study/timing.h"
+#include "results/format.h"
+#include "results/metadata.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

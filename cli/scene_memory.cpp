@@ -4,8 +4,8 @@
 #include "core/files.h"
 #include "core/hash.h"
 #include "scenes/scene_files.h"
-#include "study/store/code_hashes.h"
-#include "study/store/file_stamp.h"
+#include "store/code_hashes.h"
+#include "store/file_stamp.h"
 
 #include <nlohmann/json.hpp>
 

@@ -3,7 +3,7 @@
 // Scenes that are not loaded as long as only their description is needed: it is remembered in a store.
 
 #include "cli/home.h"
-#include "study/store/late_store.h"
+#include "store/late_store.h"
 
 #include <span>
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "study/score.h"
+#include "lab/score.h"
 
 #include "cli/console.h"
 #include "cli/light_option.h"
@@ -7,13 +7,13 @@
 #include "cli/score_inputs.h"
 #include "cli/score_results.h"
 #include "cli/verbs.h"
-#include "study/catalogue.h"
-#include "study/diagnosis_format.h"
-#include "study/format.h"
-#include "study/judgement_format.h"
-#include "study/measured.h"
-#include "study/results_json.h"
-#include "study/similarity_format.h"
+#include "lab/pictures/picture_json.h"
+#include "results/catalogue.h"
+#include "results/diagnosis_format.h"
+#include "results/format.h"
+#include "results/judgement_format.h"
+#include "results/measured.h"
+#include "results/similarity_format.h"
 
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>

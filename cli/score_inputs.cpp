@@ -7,8 +7,8 @@
 #include "cli/reference_renderer.h"
 #include "core/error.h"
 #include "core/image_io.h"
-#include "study/metadata.h"
-#include "study/score.h"
+#include "lab/score.h"
+#include "results/metadata.h"
 
 #include <fmt/format.h>
 

@@ -6,8 +6,8 @@
 #include "cli/quality.h"
 #include "cli/verbs.h"
 #include "core/image.h"
-#include "study/picture_score.h"
-#include "study/validation.h"
+#include "lab/pictures/picture_score.h"
+#include "lab/validation.h"
 
 #include <optional>
 #include <string>
@@ -41,7 +41,7 @@ struct ScoreInputs {
   std::optional<EnginePicture> baseline;
 };
 
-/// Error{input} for combinations that say nothing, and whatever study/picture_score.h refuses.
+/// Error{input} for combinations that say nothing, and whatever lab/pictures/picture_score.h refuses.
 ScoreInputs load_score_inputs(const ScoreInputOptions& options, const GlobalOptions& global);
 
 }  // namespace umbrameter

@@ -7,11 +7,11 @@
 #include "core/files.h"
 #include "core/image_io.h"
 #include "core/version.h"
+#include "lab/scene_run.h"
+#include "lab/stored_truth.h"
 #include "report/report.h"
-#include "study/metadata.h"
-#include "study/results_json.h"
-#include "study/scene_run.h"
-#include "study/store/stored_truth.h"
+#include "results/metadata.h"
+#include "results/results_json.h"
 
 #include <fmt/format.h>
 

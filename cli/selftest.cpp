@@ -8,7 +8,7 @@
 #include "cli/verbs.h"
 #include "core/files.h"
 #include "reference/reference.h"
-#include "study/selftest/format.h"
+#include "report/selftest_output.h"
 
 #include <thread>
 

@@ -6,8 +6,8 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/names.h"
-#include "study/sweep/merge.h"
-#include "study/sweep/verdicts.h"
+#include "lab/verdicts.h"
+#include "study/grid/merge.h"
 
 #include <fmt/format.h>
 

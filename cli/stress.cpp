@@ -11,8 +11,8 @@
 #include "core/files.h"
 #include "core/version.h"
 #include "report/report.h"
+#include "report/stress_output.h"
 #include "study/stress/axes.h"
-#include "study/stress/output.h"
 #include "study/stress/suite_file.h"
 
 #include <fmt/format.h>

@@ -5,7 +5,7 @@
 #include "core/names.h"
 #include "scenes/choose_light.h"
 #include "scenes/seen_from.h"
-#include "study/claims.h"
+#include "study/grid/claims.h"
 
 #include <fmt/format.h>
 

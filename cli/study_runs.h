@@ -4,7 +4,7 @@
 
 #include "cli/home.h"
 #include "cli/quality.h"
-#include "study/bench.h"
+#include "study/grid/bench.h"
 #include "study/study_file.h"
 
 #include <filesystem>

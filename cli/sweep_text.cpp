@@ -2,9 +2,9 @@
 #include "cli/sweep_text.h"
 
 #include "cli/console.h"
-#include "study/format.h"
-#include "study/json_parts.h"
-#include "study/judgement_format.h"
+#include "results/format.h"
+#include "results/json_parts.h"
+#include "results/judgement_format.h"
 #include "study/study_camera.h"
 
 #include <fmt/format.h>

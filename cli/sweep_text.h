@@ -2,9 +2,9 @@
 #pragma once
 // A sweep's plan and outcome, and what a store holds, as text and JSON.
 
-#include "study/sweep/export.h"
-#include "study/sweep/screen.h"
-#include "study/sweep/sweep.h"
+#include "study/grid/export.h"
+#include "study/grid/screen.h"
+#include "study/grid/sweep.h"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -3,7 +3,7 @@
 // The verbs of sweeps and of the stores they fill.
 
 #include "cli/verbs.h"
-#include "study/store/store.h"
+#include "store/store.h"
 
 namespace umbrameter {
 

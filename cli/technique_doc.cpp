@@ -2,8 +2,8 @@
 #include "cli/technique_doc.h"
 
 #include "core/statistics.h"
-#include "study/diagnosis_format.h"
-#include "study/format.h"
+#include "results/diagnosis_format.h"
+#include "results/format.h"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 // The text of docs/techniques.md.
 
 #include "realtime/manifest/technique.h"
-#include "study/results.h"
+#include "results/results.h"
 
 #include <span>
 #include <string>

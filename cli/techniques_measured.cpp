@@ -10,8 +10,8 @@
 #include "core/files.h"
 #include "realtime/manifest/technique.h"
 #include "reference/reference.h"
-#include "study/results_json.h"
-#include "study/traits.h"
+#include "results/results_json.h"
+#include "study/traits/traits.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Ray tracers that share what the store in --out knows (study/store/stored_reference.h).
+// Ray tracers that share what the store in --out knows (lab/stored_reference.h).
 
 #include "cli/late_renderer.h"
 #include "cli/staging.h"
 #include "cli/verbs.h"
-#include "study/store/stored_reference.h"
+#include "lab/stored_reference.h"
 
 #include <memory>
 #include <optional>

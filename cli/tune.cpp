@@ -11,7 +11,7 @@
 #include "core/files.h"
 #include "realtime/manifest/activity.h"
 #include "report/report.h"
-#include "study/metadata.h"
+#include "results/metadata.h"
 #include "study/tune/lengths.h"
 #include "study/tune/tune_files.h"
 #include "study/tune/tune_json.h"

@@ -2,7 +2,7 @@
 #include "cli/tune_text.h"
 
 #include "cli/console.h"
-#include "study/format.h"
+#include "results/format.h"
 #include "study/tune/tune_files.h"
 
 #include <fmt/format.h>

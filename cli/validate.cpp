@@ -16,11 +16,11 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/names.h"
+#include "lab/validation_memory.h"
 #include "report/report.h"
-#include "study/measured.h"
-#include "study/metadata.h"
-#include "study/results_json.h"
-#include "study/validation_memory.h"
+#include "results/measured.h"
+#include "results/metadata.h"
+#include "results/results_json.h"
 
 #include <fmt/format.h>
 

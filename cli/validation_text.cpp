@@ -2,11 +2,11 @@
 #include "cli/validation_text.h"
 
 #include "cli/console.h"
-#include "study/catalogue.h"
-#include "study/causes/causes_format.h"
-#include "study/diagnosis_format.h"
-#include "study/format.h"
-#include "study/judgement_format.h"
+#include "results/catalogue.h"
+#include "results/causes_format.h"
+#include "results/diagnosis_format.h"
+#include "results/format.h"
+#include "results/judgement_format.h"
 
 #include <fmt/ranges.h>
 

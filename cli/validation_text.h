@@ -2,7 +2,7 @@
 #pragma once
 // Results as text for the terminal.
 
-#include "study/results.h"
+#include "results/results.h"
 
 #include <string>
 

@@ -1,11 +1,19 @@
 # SPDX-License-Identifier: Apache-2.0
-# cmake -DSOURCE_DIR=... -DOUTPUT=... -P code_hashes.cmake: writes study/store/code_hashes.h's constants. Comments and
-# formatting count, too: an edit that changes nothing costs a rendering, a change that goes unnoticed costs a wrong number.
-function(hash_rooms variable)
+# cmake -DSOURCE_DIR=... -DOUTPUT=... -P code_hashes.cmake: writes store/code_hashes.h's constants, of what computes numbers and
+# nothing else: not how results are written (but for the rows that measure), not what study, report and cli do. Comments
+# and formatting count, too: an edit that changes nothing costs a rendering, a change that goes unnoticed costs a wrong number.
+# hash_code(<variable> <room or file without its ending>...)
+function(hash_code variable)
   set(text "")
-  foreach(room IN LISTS ARGN)
-    file(GLOB_RECURSE files RELATIVE "${SOURCE_DIR}" "${SOURCE_DIR}/${room}/*.cpp" "${SOURCE_DIR}/${room}/*.h"
-         "${SOURCE_DIR}/${room}/CMakeLists.txt")
+  foreach(name IN LISTS ARGN)
+    set(code "${SOURCE_DIR}/${name}")
+    file(GLOB_RECURSE files RELATIVE "${SOURCE_DIR}" "${code}/*.cpp" "${code}/*.h" "${code}/CMakeLists.txt")
+    file(GLOB own_files RELATIVE "${SOURCE_DIR}" "${code}.cpp" "${code}.h")
+    list(APPEND files ${own_files})
+    list(LENGTH files count)
+    if(count EQUAL 0)
+      message(FATAL_ERROR "there is no code called ${name}")
+    endif()
     list(SORT files)
     foreach(file IN LISTS files)
       file(SHA256 "${SOURCE_DIR}/${file}" hash)
@@ -16,10 +24,10 @@ function(hash_rooms variable)
   set(${variable} "${hash}" PARENT_SCOPE)
 endfunction()
 
-hash_rooms(reference core scenes reference)
-hash_rooms(realtime core scenes realtime engines)
-hash_rooms(scoring core metrics study)
-set(text "#include \"study/store/code_hashes.h\"
+hash_code(reference core scenes reference)
+hash_code(realtime core scenes realtime engines)
+hash_code(scoring core metrics lab results/measured_rows)
+set(text "#include \"store/code_hashes.h\"
 
 namespace umbrameter {
 

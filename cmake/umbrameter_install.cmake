@@ -9,7 +9,7 @@ set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # what is installed must be built, no
 
 set(data_folder "${CMAKE_INSTALL_DATADIR}/umbrameter")
 set(package_folder "${CMAKE_INSTALL_LIBDIR}/cmake/umbrameter")
-set(libraries core scenes metrics reference realtime engines study report)
+set(libraries core scenes metrics reference realtime engines store results lab study report)
 list(TRANSFORM libraries PREPEND umbrameter_ OUTPUT_VARIABLE library_targets)
 
 # What programs of this build tree read: the sources themselves.

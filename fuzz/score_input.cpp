@@ -3,7 +3,7 @@
 
 #include "fuzz/fuzz_file.h"
 
-#include "study/picture_score.h"
+#include "lab/pictures/picture_score.h"
 
 namespace {
 

@@ -2,7 +2,7 @@
 #pragma once
 // What moves that should not (METRICS 6.11): visibility of fixed world points while the camera moves, the
 // error's change while the light moves, and the spread over a technique's seeds. Ours. Not here: making the
-// frames (study/temporal.h).
+// frames (lab/temporal.h).
 
 #include "core/image.h"
 

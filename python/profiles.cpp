@@ -2,8 +2,8 @@
 #include "core/error.h"
 #include "metrics/penumbra.h"
 #include "metrics/penumbra_walk.h"
+#include "metrics/shadow_quantity.h"
 #include "python/bindings.h"
-#include "study/shadow_quantity.h"
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>

@@ -5,7 +5,7 @@
 #include "realtime/manifest/technique.h"
 #include "realtime/realtime.h"
 #include "reference/reference.h"
-#include "study/metadata.h"
+#include "results/metadata.h"
 
 #include <pybind11/stl.h>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "study/score.h"
+#include "lab/score.h"
 
 #include "core/error.h"
+#include "lab/pictures/picture_json.h"
+#include "lab/pictures/picture_score.h"
 #include "python/bindings.h"
-#include "study/picture_score.h"
-#include "study/pictures.h"
-#include "study/results_json.h"
-#include "study/run_json.h"
+#include "results/pictures.h"
+#include "results/run_json.h"
 
 #include <nlohmann/json.hpp>
 

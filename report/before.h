@@ -2,7 +2,7 @@
 #pragma once
 // Runs of an earlier results folder beside those of now, so that a viewer can slide between both.
 
-#include "study/results.h"
+#include "results/results.h"
 
 #include <filesystem>
 

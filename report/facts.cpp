@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/facts.h"
 
-#include "study/catalogue.h"
-#include "study/causes/causes_format.h"
-#include "study/diagnosis_format.h"
-#include "study/format.h"
-#include "study/judgement_format.h"
-#include "study/metadata.h"
-#include "study/similarity_format.h"
+#include "results/catalogue.h"
+#include "results/causes_format.h"
+#include "results/diagnosis_format.h"
+#include "results/format.h"
+#include "results/judgement_format.h"
+#include "results/metadata.h"
+#include "results/similarity_format.h"
 
 #include <fmt/format.h>
 

@@ -2,8 +2,8 @@
 #pragma once
 // Everything known of a reference or a run, as terms with texts.
 
-#include "study/diagnosis_format.h"
-#include "study/results.h"
+#include "results/diagnosis_format.h"
+#include "results/results.h"
 
 namespace umbrameter {
 

@@ -5,9 +5,9 @@
 #include "report/scene_planes.h"
 #include "report/side_data.h"
 #include "report/tune_files.h"
-#include "study/pictures.h"
-#include "study/results_json.h"
-#include "study/run_json.h"
+#include "results/pictures.h"
+#include "results/results_json.h"
+#include "results/run_json.h"
 
 #include <nlohmann/json.hpp>
 

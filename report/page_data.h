@@ -3,7 +3,7 @@
 // The numbers behind the page's pictures and plots, as one JSON object for its scripts.
 
 #include "report/plane_store.h"
-#include "study/results.h"
+#include "results/results.h"
 
 #include <filesystem>
 #include <optional>

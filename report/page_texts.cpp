@@ -5,7 +5,7 @@
 #include "report/plane_code.h"
 #include "report/summary.h"
 #include "report/table.h"
-#include "study/format.h"
+#include "results/format.h"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 #pragma once
 // What the page says of the results in words, as data: the same texts as the terminal's.
 
-#include "study/results.h"
+#include "results/results.h"
 
 #include <nlohmann/json.hpp>
 

@@ -7,9 +7,9 @@
 #include "report/html.h"
 #include "report/page_data.h"
 #include "report/side_files.h"
-#include "study/results_json.h"
-#include "study/store/store.h"
-#include "study/sweep/stored_results.h"
+#include "results/results_json.h"
+#include "store/store.h"
+#include "study/grid/stored_results.h"
 
 #include <limits>
 #include <optional>

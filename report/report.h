@@ -4,7 +4,7 @@
 // would make it too large to open lies beside it.
 
 #include "report/plane_store.h"
-#include "study/results.h"
+#include "results/results.h"
 
 #include <filesystem>
 #include <string>

@@ -2,9 +2,9 @@
 #include "report/scene_planes.h"
 
 #include "core/image_io.h"
+#include "metrics/width_pairs.h"
 #include "report/plane_code.h"
-#include "study/picture_classes.h"
-#include "study/width_pairs.h"
+#include "results/picture_classes.h"
 
 #include <fmt/format.h>
 

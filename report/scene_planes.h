@@ -3,7 +3,7 @@
 // One scene's pixels for the page, and the JSON that says how to read them.
 
 #include "report/plane_store.h"
-#include "study/results.h"
+#include "results/results.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/summary.h"
 
-#include "study/format.h"
-#include "study/judgement_format.h"
+#include "results/format.h"
+#include "results/judgement_format.h"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 #pragma once
 // What a reader should know first.
 
-#include "study/results.h"
+#include "results/results.h"
 
 #include <nlohmann/json.hpp>
 

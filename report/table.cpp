@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/table.h"
 
-#include "study/diagnosis_format.h"
-#include "study/format.h"
-#include "study/judgement_format.h"
+#include "results/diagnosis_format.h"
+#include "results/format.h"
+#include "results/judgement_format.h"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 #pragma once
 // The report's summary table, as data.
 
-#include "study/results.h"
+#include "results/results.h"
 
 #include <nlohmann/json.hpp>
 

@@ -20,15 +20,20 @@ double reach(const glm::dvec3& p_world) {
 }
 
 /// Farthest coordinate from the origin.
-double reach(const Bounds3& bounds) { return std::max(reach(bounds.min), reach(bounds.max)); }
+double reach(const Bounds3& bounds) {
+  return std::max(reach(bounds.min), reach(bounds.max));
+}
 
 /// 0: a point or a direction, whose parts nobody asks for.
 double narrowest_width_world(const Light& light, double diagonal_world) {
   switch (light.type) {
-    case LightType::rect: return std::min(light.size_world.x, light.size_world.y);
+    case LightType::rect:
+      return std::min(light.size_world.x, light.size_world.y);
     case LightType::disk:
-    case LightType::sphere: return 2.0 * light.radius_world;
-    case LightType::sun: return 2.0 * std::tan(light.half_angle_rad) * diagonal_world;
+    case LightType::sphere:
+      return 2.0 * light.radius_world;
+    case LightType::sun:
+      return 2.0 * std::tan(light.half_angle_rad) * diagonal_world;
   }
   return 0.0;
 }
@@ -62,9 +67,10 @@ std::vector<std::string> narrow_light_warnings(const Scene& scene) {
     const double width = narrowest_width_world(light, scene.bounds_world.diagonal());
     const double rounding = std::max(reach(scene.bounds_world), reach(light.center_world)) * kFloatRounding;
     if (width <= 0.0 || rounding <= kFinest * width) continue;
-    warnings.push_back(fmt::format(
-        "light '{}' is {:.2g} wide and positions are rounded by up to {:.2g}: its penumbrae are true to about {:.2g} of it",
-        light.name, width, rounding, std::min(1.0, rounding / width)));
+    warnings.push_back(
+        fmt::format("light '{}' is {:.2g} wide and positions are rounded by up to {:.2g}: its penumbrae are "
+                    "true to about {:.2g} of it",
+                    light.name, width, rounding, std::min(1.0, rounding / width)));
   }
   return warnings;
 }

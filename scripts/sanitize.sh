@@ -7,7 +7,7 @@ cd "$(dirname "$0")/.."
 unit_tests=()
 if [ "${1:-}" = --tests ]; then
   shift
-  mapfile -t unit_tests < <(printf 'umbrameter_test_unit_%s\n' core scenes metrics realtime engines study view)
+  mapfile -t unit_tests < <(printf 'umbrameter_test_unit_%s\n' core scenes metrics realtime engines store results lab study report view)
 fi
 bash scripts/build.sh sanitize umbrameter umbrameter-exact "${unit_tests[@]}"
 bash scripts/fuzz.sh "${1:-10}"

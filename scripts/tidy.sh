@@ -6,7 +6,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 [ -e build/ci/compile_commands.json ] || { echo "tidy: build/ci is not configured (scripts/build.sh ci)" >&2; exit 3; }
 files=("$@")
-[ ${#files[@]} -gt 0 ] || mapfile -t files < <(git ls-files '*.cpp' | grep -E '^(core|scenes|metrics|reference|realtime|engines|study|report|view|cli|python)/')
+[ ${#files[@]} -gt 0 ] || mapfile -t files < <(git ls-files '*.cpp' | grep -E '^(core|scenes|metrics|reference|realtime|engines|store|results|lab|study|report|view|cli|python)/')
 # GCC's precompiled headers are not Clang's; every file names what it uses.
 mkdir -p build/tidy
 sed -E 's#( -Winvalid-pch)? -include [^ ]+/cmake_pch\.hxx##' build/ci/compile_commands.json >build/tidy/compile_commands.json

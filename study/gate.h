@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Does a run pass, and if not, which fault is it? One rule with one set of limits for every fault, scene and
-// technique (docs/selftest.md). Not here: the numbers it rests on (study/score.h) and where runs come from.
+// technique (docs/selftest.md). Not here: the numbers it rests on (lab/score.h) and where runs come from.
 
+#include "metrics/diagnosis.h"
 #include "metrics/visibility_error.h"
-#include "study/diagnosis.h"
-#include "study/results.h"
+#include "results/results.h"
 
 #include <cstdint>
 #include <map>
@@ -53,7 +53,7 @@ struct GateRun {
   bool is_other_light = false;  // where parity fails: the surfaces agree, the light on them does not
   std::optional<VisibilityError> error;
   std::optional<Diagnosis> diagnosis;
-  std::map<std::string, double> measured;  // by key: rows of study/catalogue.h that no class stands for
+  std::map<std::string, double> measured;  // by key: rows of results/catalogue.h that no class stands for
 };
 
 /// A measured value may exceed the baseline's by `excess` and by `share` of it. Without a baseline by `excess`.

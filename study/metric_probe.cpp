@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/metric_probe.h"
 
-#include "study/guard.h"
+#include "results/guard.h"
 
 #include <fmt/format.h>
 

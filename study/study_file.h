@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A study as its file says it (docs/studies.md): which scenes, which runs with which parameters, and what a paper
-// claims about them. Not here: whether scenes, techniques and parameters exist (cli/), and what runs it (study/bench.h).
+// claims about them. Not here: whether scenes, techniques and parameters exist (cli/), and what runs it (study/grid/bench.h).
 
 #include "core/toml.h"
 #include "study/study_camera.h"

@@ -2,7 +2,7 @@
 #pragma once
 // The metrics of what is in the window, on a thread of their own.
 
-#include "study/score.h"
+#include "lab/score.h"
 #include "view/truth_worker.h"
 
 namespace umbrameter {

@@ -5,7 +5,7 @@
 
 #include "core/error.h"
 #include "core/progress.h"
-#include "study/guard.h"
+#include "results/guard.h"
 
 #include <atomic>
 #include <condition_variable>

@@ -3,7 +3,7 @@
 
 #include "core/files.h"
 #include "core/image_io.h"
-#include "study/metadata.h"
+#include "results/metadata.h"
 #include "view/live_view.h"
 #include "view/scene_text.h"
 

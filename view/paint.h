@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Frames and truths as pictures of the window. The colours of error, faults and background are study/pictures.h's.
+// Frames and truths as pictures of the window. The colours of error, faults and background are results/pictures.h's.
 
 #include "core/image.h"
 #include "metrics/faults.h"
-#include "study/pictures.h"
+#include "results/pictures.h"
 
 #include <array>
 #include <cstdint>

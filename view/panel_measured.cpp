@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What was measured: labels, summary, faults, the probe under the cursor.
 
-#include "study/catalogue.h"
+#include "results/catalogue.h"
 #include "view/panel_row.h"
 #include "view/panels.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Builds what the page shows of its data: elements, tables, and numbers as the terminal writes them (study/format.h).
+// Builds what the page shows of its data: elements, tables, and numbers as the terminal writes them (results/format.h).
 
 // `content`: texts and elements; null ones are left out.
 function element(name, attributes, ...content) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a cell of the overview may show: the rows of the catalogue of metrics (study/catalogue.h), which stand in the page's data.
+// What a cell of the overview may show: the rows of the catalogue of metrics (results/catalogue.h), which stand in the page's data.
 
 function totalMs(run) {
   return run.pass_times.at(-1)?.median_ms ?? null;

@@ -3,7 +3,7 @@
 
 #include "core/error.h"
 #include "core/statistics.h"
-#include "study/catalogue.h"
+#include "results/catalogue.h"
 
 #include <algorithm>
 #include <cmath>

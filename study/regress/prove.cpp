@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/regress/prove.h"
 
-#include "study/metadata.h"
-
-#include <fmt/format.h>
+#include "results/metadata.h"
 
 #include <algorithm>
 #include <map>
@@ -130,9 +128,9 @@ bool ProvedFault::is_named() const {
   return std::ranges::any_of(right, [&](GateClass kind) { return name_of(kind) == found.verdict.kind; });
 }
 
-std::vector<ProvedFault> prove_faults(std::span<const SceneJob> jobs, const SelftestSettings& settings,
-                                      SelftestRenderers renderers, int samples_per_pixel,
-                                      const RegressGates& gates, Progress& progress) {
+std::vector<ProvedFault> prove_faults(std::span<const FaultCase> faults, std::span<const SceneJob> jobs,
+                                      const SelftestSettings& settings, SelftestRenderers renderers,
+                                      int samples_per_pixel, const RegressGates& gates, Progress& progress) {
   std::vector<ProvedFault> all;
   SilentProgress silent;
   progress.begin("faults", jobs.size());
@@ -140,27 +138,13 @@ std::vector<ProvedFault> prove_faults(std::span<const SceneJob> jobs, const Self
     const SelftestRound& round = settings.rounds.front();
     Stage stage(job, settings, round, renderers, silent);
     Proof proof{job, stage, plan_of(round, samples_per_pixel, gates), {}};
-    for (const FaultCase& fault : fault_list()) {
+    for (const FaultCase& fault : faults) {
       if (fault.scene == job.name) all.push_back(proved(fault, proof));
     }
     progress.advance(1);
   }
   progress.end();
   return all;
-}
-
-std::string proof_markdown(std::span<const ProvedFault> faults) {
-  std::string text = "| fault | scene | verdict | pictures | |\n|---|---|---|---|---|\n";
-  size_t found = 0, named = 0;
-  for (const ProvedFault& fault : faults) {
-    const char* mark = fault.is_named() ? "" : fault.is_found() ? "other class" : "missed";
-    const CaseVerdict& verdict = fault.found.verdict;
-    text += fmt::format("| {} | {} | {} | {} | {} |\n", fault.name, fault.scene,
-                        verdict.kind.empty() ? "pass" : verdict.kind, fault.found.pictures, mark);
-    found += fault.is_found() ? 1 : 0;
-    named += fault.is_named() ? 1 : 0;
-  }
-  return text + fmt::format("\nfound {} of {} faults, {} by their class\n", found, faults.size(), named);
 }
 
 }  // namespace umbrameter

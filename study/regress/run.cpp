@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/regress/run.h"
 
+#include "lab/renamed_progress.h"
 #include "study/regress/scene_work.h"
 #include "study/regress/seed_noise.h"
-#include "study/renamed_progress.h"
 
 #include <fmt/format.h>
 

@@ -2,10 +2,10 @@
 #pragma once
 // Renders what a suite names and judges it against a baseline, or makes one. Sees only Renderer&.
 
+#include "lab/validation.h"
 #include "study/metric_probe.h"
 #include "study/regress/baseline.h"
 #include "study/regress/judge.h"
-#include "study/validation.h"
 
 #include <functional>
 #include <memory>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/regress/scene_work.h"
 
-#include "study/frame_times.h"
-#include "study/guard.h"
-#include "study/metadata.h"
-#include "study/selftest/stage.h"
-#include "study/timing.h"
+#include "lab/timing.h"
+#include "metrics/frame_times.h"
+#include "results/guard.h"
+#include "results/metadata.h"
+#include "study/stage.h"
 
 namespace umbrameter {
 namespace {

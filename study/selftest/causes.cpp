@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/selftest/causes.h"
 
-#include "study/causes/blocker_extension.h"
-#include "study/diagnosis_format.h"
-#include "study/metadata.h"
+#include "lab/causes/blocker_extension.h"
+#include "results/diagnosis_format.h"
+#include "results/metadata.h"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Faults whose cause can be undone by a substitution (study/causes/): what mends them must point at what was put in. Not
+// Faults whose cause can be undone by a substitution (lab/causes/): what mends them must point at what was put in. Not
 // here: whether the gate finds and names them (study/selftest/fault_list.h).
 
-#include "study/causes/find_causes.h"
+#include "lab/causes/find_causes.h"
 #include "study/selftest/trial_makers.h"
 
 #include <optional>

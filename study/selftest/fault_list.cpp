@@ -193,11 +193,6 @@ std::vector<FaultCase> faults_of_metrics() {
 
 }  // namespace
 
-std::string_view name_of(FaultOrigin origin) {
-  constexpr std::array<std::string_view, 4> kNames = {"technique", "image", "reference", "metric"};
-  return kNames[static_cast<size_t>(origin)];
-}
-
 std::vector<FaultCase> fault_list() {
   std::vector<FaultCase> all;
   for (std::vector<FaultCase> part : {faults_of_techniques(), faults_of_images(), faults_of_references(),

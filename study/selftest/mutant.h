@@ -2,7 +2,7 @@
 #pragma once
 // Copies of technique folders with a fault written into them.
 
-#include "study/selftest/stage.h"
+#include "study/stage.h"
 
 #include <span>
 #include <string>

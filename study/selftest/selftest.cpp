@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/selftest/selftest.h"
 
-#include "study/judgement.h"
-#include "study/metadata.h"
-#include "study/pictures.h"
-#include "study/selftest/resolved.h"
+#include "metrics/judgement.h"
+#include "results/metadata.h"
+#include "results/pictures.h"
+#include "study/resolved.h"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/stress/outcome.h"
 
-#include "study/json_optional.h"
-#include "study/json_parts.h"
-#include "study/run_json.h"
+#include "results/json_optional.h"
+#include "results/json_parts.h"
+#include "results/run_json.h"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 // What came of one technique, or of the truth, at one value of an axis.
 
 #include "metrics/visibility_error.h"
-#include "study/results.h"
+#include "results/results.h"
 
 #include <nlohmann/json_fwd.hpp>
 

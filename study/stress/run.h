@@ -3,7 +3,7 @@
 // One axis walked: every value for the truth and for every technique, a cell each. Not here: the process it happens in
 // (cli/stress_worker.h) and what the cells say together (study/stress/summary.h).
 
-#include "study/picture_quality.h"
+#include "results/picture_quality.h"
 #include "study/stress/axis.h"
 #include "study/stress/journal.h"
 #include "study/stress/tools.h"

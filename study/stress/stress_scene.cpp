@@ -3,8 +3,8 @@
 
 #include "core/files.h"
 #include "metrics/truth_check.h"
+#include "results/guard.h"
 #include "scenes/load_scene.h"
-#include "study/guard.h"
 
 #include <fmt/format.h>
 

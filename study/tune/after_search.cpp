@@ -4,7 +4,7 @@
 #include "core/error.h"
 #include "core/statistics.h"
 #include "metrics/bootstrap.h"
-#include "study/guard.h"
+#include "results/guard.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include "core/error.h"
 #include "metrics/parity.h"
 #include "metrics/verdict.h"
-#include "study/guard.h"
+#include "results/guard.h"
 #include "study/tune/draw_and_score.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 // One number for a set of values: the mean over views of the objective's ratio to that of the defaults, so that scenes
 // of large errors do not outvote the others.
 
-#include "study/tune/trials.h"
+#include "study/tune/search/trials.h"
 #include "study/tune/views.h"
 
 #include <map>

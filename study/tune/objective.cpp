@@ -4,8 +4,8 @@
 #include "core/error.h"
 #include "core/names.h"
 #include "metrics/bootstrap.h"
+#include "metrics/diagnosis.h"
 #include "metrics/parity.h"
-#include "study/diagnosis.h"
 
 #include <array>
 #include <cmath>

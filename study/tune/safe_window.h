@@ -4,7 +4,7 @@
 // penumbrae are not too hard to where they are too soft. An empty window is a finding: no value works there.
 
 #include "study/tune/objective.h"
-#include "study/tune/search_space.h"
+#include "study/tune/search/search_space.h"
 
 #include <functional>
 #include <optional>

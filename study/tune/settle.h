@@ -4,7 +4,7 @@
 // plainest.
 
 #include "study/tune/judge.h"
-#include "study/tune/minimise.h"
+#include "study/tune/search/minimise.h"
 
 #include <span>
 

@@ -3,7 +3,7 @@
 
 #include "core/clock.h"
 #include "core/error.h"
-#include "study/guard.h"
+#include "results/guard.h"
 #include "study/tune/after_search.h"
 #include "study/tune/candidates.h"
 #include "study/tune/settle.h"

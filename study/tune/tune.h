@@ -3,8 +3,8 @@
 // Auto-tune: the parameters of one technique that make an objective least on one scene or on several, what they are worth
 // beside the defaults and presets, on cameras they were not made for, and how far they may be moved.
 
-#include "study/tune/minimise.h"
 #include "study/tune/safe_window.h"
+#include "study/tune/search/minimise.h"
 #include "study/tune/views.h"
 
 #include <functional>

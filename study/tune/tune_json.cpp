@@ -2,8 +2,8 @@
 #include "study/tune/tune_json.h"
 
 #include "core/version.h"
-#include "study/json_optional.h"
-#include "study/json_parts.h"
+#include "results/json_optional.h"
+#include "results/json_parts.h"
 #include "study/tune/tune_files.h"
 
 #include <cmath>

@@ -2,15 +2,12 @@
 #include "study/tune/views.h"
 
 #include "core/error.h"
-#include "study/guard.h"
-#include "study/shadow_quantity.h"
-
-#include <glm/geometric.hpp>
+#include "metrics/shadow_quantity.h"
+#include "results/guard.h"
+#include "study/study_camera.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <numbers>
 #include <optional>
 
 namespace umbrameter {
@@ -99,18 +96,6 @@ Frame Studio::render(Renderer& renderer, const View& view, const std::string& te
                           .technique = technique,
                           .parameters = values},
                          progress);
-}
-
-Camera orbit(const Camera& camera, double angle_deg) {
-  const double angle_rad = angle_deg * std::numbers::pi / 180.0;
-  const glm::dvec3 axis = glm::normalize(camera.up_world);
-  const glm::dvec3 arm = camera.eye_world - camera.at_world;
-  const glm::dvec3 along = glm::dot(arm, axis) * axis;
-  const glm::dvec3 across = arm - along;
-  Camera moved = camera;
-  moved.eye_world =
-      camera.at_world + along + std::cos(angle_rad) * across + std::sin(angle_rad) * glm::cross(axis, across);
-  return moved;
 }
 
 namespace {

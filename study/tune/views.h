@@ -3,8 +3,8 @@
 // What a tuner looks at: scenes from cameras, each with its truth, rendered once and kept. The truth and the seed are
 // the same for all parameters, so that only they make a difference.
 
+#include "lab/validation.h"
 #include "study/tune/objective.h"
-#include "study/validation.h"
 
 #include <array>
 #include <span>
@@ -50,9 +50,6 @@ class Studio {
   Progress& progress_;     // of the truth
   SilentProgress silent_;  // of hundreds of quick frames
 };
-
-/// The camera turned around what it looks at, about its up direction.
-Camera orbit(const Camera& camera, double angle_deg);
 
 /// How far the cameras of a scene go to the left and to the right, in degrees; 0 where none sees enough.
 struct Arc {

@@ -2,7 +2,7 @@
 #include "study/tune/windows.h"
 
 #include "core/statistics.h"
-#include "study/guard.h"
+#include "results/guard.h"
 #include "study/tune/draw_and_score.h"
 
 #include <algorithm>

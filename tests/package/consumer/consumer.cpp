@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Renders the truth of an installed scene and scores it against itself: 0 but for its noise.
+#include "lab/score.h"
 #include "reference/reference.h"
 #include "scenes/load_scene.h"
-#include "study/score.h"
 
 #include <cstdio>
 

@@ -133,9 +133,9 @@ TEST(Light, NarrowerThanItsPositionsAreToldApartIsSaid) {
   };
   for (const LightType type : {LightType::rect, LightType::disk, LightType::sphere, LightType::sun}) {
     EXPECT_THAT(warnings(type, 1e-4), testing::IsEmpty()) << to_text(type);
-    EXPECT_THAT(warnings(type, 1e-6),
-                testing::ElementsAre(testing::HasSubstr("light 'lamp' is 1e-06 wide and positions are rounded by up to "
-                                                        "2.4e-07: its penumbrae are true to about 0.24 of it")))
+    EXPECT_THAT(warnings(type, 1e-6), testing::ElementsAre(testing::HasSubstr(
+                                          "light 'lamp' is 1e-06 wide and positions are rounded by up to "
+                                          "2.4e-07: its penumbrae are true to about 0.24 of it")))
         << to_text(type);
     EXPECT_THAT(warnings(type, 0.0), testing::IsEmpty()) << to_text(type);
   }

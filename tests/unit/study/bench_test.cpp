@@ -2,11 +2,11 @@
 // Without these, a run could be called dominated inside the noise, a question be answered with the wrong run, or a
 // paper be contradicted by a slip.
 
-#include "study/bench.h"
+#include "study/grid/bench.h"
 
 #include "core/error.h"
-#include "study/bench_json.h"
-#include "tests/unit/study/fakes.h"
+#include "study/grid/bench_json.h"
+#include "tests/support/lab/fakes.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Without these, a metric could be missing from a file, or stand under two names.
 
-#include "study/catalogue.h"
+#include "results/catalogue.h"
 
-#include "study/csv.h"
+#include "results/csv.h"
+#include "results/run_json.h"
+#include "study/grid/export.h"
 #include "study/regress/case_numbers.h"
-#include "study/run_json.h"
-#include "study/sweep/export.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

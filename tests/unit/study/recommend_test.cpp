@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Without these a recommendation could rest on a run that was never timed, or on one lucky scene.
 
-#include "study/recommend.h"
+#include "study/grid/recommend.h"
 
 #include <gtest/gtest.h>
 

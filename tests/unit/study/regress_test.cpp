@@ -2,7 +2,7 @@
 // Without these, a regression could forget numbers on their way through its file, fail without a reason, or pass with one.
 
 #include "core/error.h"
-#include "study/regress/output.h"
+#include "report/regress_output.h"
 #include "study/regress/run.h"
 #include "study/regress/seed_noise.h"
 #include "tests/support/process.h"

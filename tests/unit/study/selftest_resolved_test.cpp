@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Without these a change of a coarse map's grid could be called benign, or a fine map's be left out.
-#include "study/selftest/resolved.h"
+#include "study/resolved.h"
 
 #include "tests/unit/metrics/fault_scene.h"
 

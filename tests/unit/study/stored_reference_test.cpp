@@ -2,16 +2,16 @@
 // Without these a bench or a tuner could render a truth that is known, or take another camera's, another size's or a damaged
 // one for its own.
 
-#include "study/store/stored_reference.h"
+#include "lab/stored_reference.h"
 
 #include "core/files.h"
 #include "scenes/scene_hash.h"
-#include "study/bench_json.h"
-#include "study/sweep/sweep.h"
+#include "study/grid/bench_json.h"
+#include "study/grid/sweep.h"
 #include "study/tune/tune.h"
 #include "study/tune/tune_json.h"
+#include "tests/support/lab/fakes.h"
 #include "tests/support/temporary_folder.h"
-#include "tests/unit/study/fakes.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

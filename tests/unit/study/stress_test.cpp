@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Without these a stress run could call noise a break, name the wrong value, or lose what happened before a crash.
 
+#include "report/stress_output.h"
 #include "study/stress/axes.h"
 #include "study/stress/judge.h"
-#include "study/stress/output.h"
 #include "study/stress/suite_file.h"
 #include "tests/support/temporary_folder.h"
 

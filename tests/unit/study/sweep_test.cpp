@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Without these a sweep could show a number of another scene, repeat work, or lose the runs after one that fails.
 
+#include "tests/support/lab/fakes.h"
 #include "tests/support/temporary_folder.h"
-#include "tests/unit/study/fakes.h"
 
 #include "core/files.h"
+#include "lab/keys.h"
+#include "lab/verdicts.h"
 #include "report/report.h"
-#include "study/store/keys.h"
-#include "study/sweep/export.h"
-#include "study/sweep/merge.h"
-#include "study/sweep/stored_results.h"
-#include "study/sweep/sweep.h"
-#include "study/sweep/verdicts.h"
+#include "study/grid/export.h"
+#include "study/grid/merge.h"
+#include "study/grid/stored_results.h"
+#include "study/grid/sweep.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A curve that counts the judge's noise, or the wrong points, would make the truth look worse or better than it is.
 
-#include "study/truth_curve.h"
+#include "study/grid/truth_curve.h"
 
 #include "scenes/scene.h"
 

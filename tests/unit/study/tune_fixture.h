@@ -5,7 +5,7 @@
 #include "study/tune/tune.h"
 
 #include "core/error.h"
-#include "tests/unit/study/fakes.h"
+#include "tests/support/lab/fakes.h"
 
 #include <gtest/gtest.h>
 

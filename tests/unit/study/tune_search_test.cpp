@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Without these, a search could stop beside the optimum, pay twice for a point, or depend on the order of parameters.
 
-#include "study/tune/minimise.h"
+#include "study/tune/search/minimise.h"
 
 #include "core/error.h"
 

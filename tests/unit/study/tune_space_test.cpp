@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Without these, a tuner could search where no value is, miss the small values of a length, or spend its time on costs.
 
-#include "study/tune/search_space.h"
+#include "study/tune/search/search_space.h"
 
 #include "core/error.h"
 

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "lab/pictures/picture_json.h"
+
+#include "results/catalogue.h"
+#include "results/diagnosis_json.h"
+#include "results/json_optional.h"
+#include "results/json_parts.h"
+#include "results/judgement_json.h"
+#include "results/run_json.h"
+#include "results/similarity_json.h"
+
+namespace umbrameter {
+namespace {
+
+using OrderedJson = nlohmann::ordered_json;
+
+}  // namespace
+
+OrderedJson picture_json(const PictureScore& picture, const std::string& test_file,
+                         const std::string& reference_file) {
+  const Score& score = picture.score;
+  const ParityNumbers numbers = parity_numbers(score.parity, ParityTolerance{}.required_agreement);
+  OrderedJson parity = parity_json(score.has_surfaces ? std::optional(numbers) : std::nullopt);
+  if (!parity.is_null()) parity.erase("picture_file");
+  OrderedJson json{{"test", test_file},
+                   {"reference", reference_file},
+                   {"quantity", to_text(picture.quantity)},
+                   {"quantity_given", picture.is_quantity_given},
+                   {"other_rmse", interval_json(picture.other_rmse)},
+                   {"parity", parity},
+                   {"scorable_pixels", score.scorable_pixels},
+                   {"error", score.error ? error_json(*score.error) : OrderedJson(nullptr)},
+                   {"lit_rmse", optional_json(score.lit_rmse)}};
+  add_judgement(score.judgement, json);
+  add_diagnosis(score.diagnosis, json);
+  json["similarity"] = similarity_json(score.similarity);
+  json["measurements"] = measurements_json(result_of(score));
+  json["no_diagnosis"] = failure_json(score.no_diagnosis);
+  json["notes"] = picture.notes;
+  json["mean_square_rounding"] = picture.mean_square_rounding;
+  return json;
+}
+
+}  // namespace umbrameter

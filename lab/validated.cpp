@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "lab/validated.h"
+
+#include "core/image_io.h"
+#include "lab/keys.h"
+#include "metrics/parity.h"
+
+#include <nlohmann/json.hpp>
+
+namespace umbrameter {
+namespace {
+
+/// As many frames as are wanted, or at least half of what the budget allows.
+bool has_enough_frames(const TechniqueResult& run, const ValidationPlan& plan) {
+  if (plan.timed_frames == 0) return true;
+  if (run.pass_times.empty()) return false;
+  const PassTime& total = run.pass_times.back();
+  const double spent_s = 1e-3 * total.median_ms * static_cast<double>(total.frames);
+  return static_cast<int>(total.frames) >= plan.timed_frames || spent_s >= 0.5 * plan.timing_budget_s;
+}
+
+}  // namespace
+
+std::optional<RunRecord> find_swept(LateStore& store, const std::string& run, const ValidationPlan& plan) {
+  if (plan.maps || plan.temporal_frames > 0 || plan.limit_rmse) return std::nullopt;
+  const auto json = store.find(run);
+  auto record = json ? parse_run_record(*json) : std::nullopt;
+  if (!record || record->result.failure || !record->result.error) return std::nullopt;
+  const bool lacks_faults = record->result.diagnosis && record->result.fault_picture_file.empty();
+  if (lacks_faults || !has_enough_frames(record->result, plan)) return std::nullopt;
+  return record;
+}
+
+void note_validated(Store& store, const std::string& run, const std::string& validated) {
+  store.put({validated_note_key(run), EntryKind::verdict, nlohmann::json{{"run", validated}}.dump()});
+}
+
+std::optional<RunRecord> find_validated(Store& store, const std::string& run, bool wants_times) {
+  const auto note = store.find(validated_note_key(run));
+  const auto parsed = note ? nlohmann::json::parse(*note, nullptr, false) : nlohmann::json();
+  const auto key = parsed.find("run");
+  if (!parsed.is_object() || key == parsed.end() || !key->is_string()) return std::nullopt;
+  const auto json = store.find(key->get<std::string>());
+  auto record = json ? parse_run_record(*json) : std::nullopt;
+  if (!record || record->result.failure || !record->result.error) return std::nullopt;
+  if (wants_times && record->result.pass_times.empty()) return std::nullopt;
+  return record;
+}
+
+StoredPicture swept_picture(const Store& store, const RunRecord& validated, const Image& truth,
+                            const Camera& camera) {
+  const double eye_world[3] = {camera.eye_world.x, camera.eye_world.y, camera.eye_world.z};
+  const Image image = read_image(store.path_of(validated.result.image_file));
+  std::vector<uint8_t> mask = stored_mask(image);
+  if (mask.empty()) mask = scored_mask(compare_surfaces(image, truth, eye_world), truth);
+  return {picture_to_store(image, mask), std::move(mask)};
+}
+
+RunRecord swept(RunRecord validated, const std::string& label) {
+  TechniqueResult& run = validated.result;
+  run.label = label;
+  run.temporal.reset();
+  run.judgement.limit.reset();
+  for (std::string* file : {&run.image_file, &run.picture_file, &run.error_picture_file, &run.maps_file})
+    file->clear();
+  return validated;
+}
+
+}  // namespace umbrameter

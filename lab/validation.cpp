@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "lab/validation.h"
+
+#include "core/files.h"
+#include "core/version.h"
+#include "lab/renamed_progress.h"
+#include "lab/run_causes.h"
+#include "lab/scene_run.h"
+#include "lab/temporal.h"
+#include "lab/validation_memory.h"
+#include "results/guard.h"
+#include "results/savings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace umbrameter {
+namespace {
+
+SceneResult describe(const SceneJob& job) {
+  const Scene& scene = job.scene;
+  SceneResult result;
+  result.name = job.name;
+  result.title = scene.title;
+  result.doc = scene.doc;
+  result.hash = scene.hash;
+  result.light_name = scene.light().name;
+  result.light_type = to_text(scene.light().type);
+  result.triangles = scene.triangles.size();
+  result.warnings = scene.warnings;
+  return result;
+}
+
+/// What every step of a scene's validation needs, before the scene is loaded.
+struct SceneWork {
+  const SceneSource& source;
+  const ValidationPlan& plan;
+  Renderers renderers;
+  const std::filesystem::path& folder;
+  Progress& progress;
+  ValidationMemory* memory;  // may be null
+};
+
+bool is_missing(const TechniqueFrame& run) {
+  return !run.result.is_reused || run.lacks_pictures;
+}
+
+/// Sequences of the truth are made once a scene, and only when a run was scored.
+void measure_sequences(const SceneContext& context, const Image& reference,
+                       std::vector<TechniqueFrame>& runs) {
+  const auto is_wanted = [](const TechniqueFrame& run) { return is_missing(run) && run.result.error; };
+  if (std::ranges::none_of(runs, is_wanted)) return;
+  const Sequence camera = render_sequence(context, Motion::camera, reference);
+  const Sequence light = render_sequence(context, Motion::light, reference);
+  for (TechniqueFrame& run : runs) {
+    if (is_wanted(run)) measure_temporal(context, camera, light, run);
+  }
+}
+
+void skip_unlit(const SceneWork& work, std::vector<TechniqueFrame>& runs, std::vector<Skip>& skipped) {
+  runs.clear();
+  skipped.push_back({work.source.description.name, "", "the light reaches nothing in the picture"});
+}
+
+bool is_unlit(const Image& surfaces) {
+  const auto irradiance = surfaces.plane("unshadowed_irradiance");
+  return std::ranges::none_of(irradiance, [](float e) { return e > 0.0f; });
+}
+
+/// Sets all verdicts that are known; whether that is all of them.
+bool recall_verdicts(const SceneWork& work, std::vector<TechniqueFrame>& runs) {
+  const TechniqueFrame* const baseline = baseline_of(work.plan, runs);
+  if (baseline == nullptr) return true;
+  bool is_complete = true;
+  for (TechniqueFrame& run : runs) {
+    if (!run.result.error || &run == baseline) continue;
+    run.has_verdict = work.memory->recall_verdict(*baseline, run);
+    is_complete = is_complete && run.has_verdict;
+  }
+  return is_complete;
+}
+
+/// Sets all causes that are known; whether that is all that are wanted.
+bool recall_causes(const SceneWork& work, std::vector<TechniqueFrame>& runs) {
+  bool is_complete = true;
+  for (TechniqueFrame* run : runs_with_wanted_causes(work.plan, runs)) {
+    work.memory->recall_causes(work.plan, *run, runs);
+    is_complete = is_complete && run->result.fault_causes;
+  }
+  return is_complete;
+}
+
+/// Sets what is known; whether that is everything.
+bool recall(const SceneWork& work, SceneResult& scene, std::vector<TechniqueFrame>& runs,
+            std::vector<Skip>& skipped) {
+  if (work.memory == nullptr) return false;
+  work.memory->recall(work.source, work.plan, work.folder, scene, runs);
+  if (work.plan.skip && work.memory->is_unlit(work.source, work.plan)) {
+    skip_unlit(work, runs, skipped);
+    return true;
+  }
+  const bool has_truth = scene.reference && !scene.reference->picture_file.empty() && scene.parity;
+  const bool has_runs = recall_verdicts(work, runs) && std::ranges::none_of(runs, is_missing);
+  return has_truth && has_runs && recall_causes(work, runs);
+}
+
+void remember_verdicts(const SceneWork& work, std::vector<TechniqueFrame>& runs) {
+  const TechniqueFrame* const baseline = baseline_of(work.plan, runs);
+  if (baseline == nullptr) return;
+  for (const TechniqueFrame& run : runs) {
+    if (run.result.error && &run != baseline && !run.has_verdict)
+      work.memory->remember_verdict(*baseline, run);
+  }
+}
+
+/// Renders and scores what is not known yet.
+void measure(const SceneWork& work, SceneResult& scene, std::vector<TechniqueFrame>& runs,
+             std::vector<Skip>& skipped) {
+  const auto loaded = work.source.load();
+  const SceneContext context{scene.name, *loaded, work.plan, work.renderers, work.folder, work.progress};
+  // Real time first: a shader that does not compile is found before the long wait for the reference.
+  Frame surfaces;
+  scene.failure = guarded([&] {
+    if (scene.parity) return;
+    surfaces = work.renderers.realtime.render(*loaded, request_of(work.plan.picture), work.progress);
+  });
+  if (scene.failure) return runs.clear();
+  if (!scene.parity && work.plan.skip && is_unlit(surfaces.image)) {
+    if (work.memory != nullptr) work.memory->remember_unlit(work.source, work.plan);
+    return skip_unlit(work, runs, skipped);
+  }
+  render_techniques(context, runs);
+  const bool all_failed = !runs.empty() && std::ranges::all_of(runs, [](const TechniqueFrame& run) {
+    return run.result.failure.has_value();
+  });
+  Image reference;
+  if (!all_failed) reference = require_reference(context, scene);
+  if (scene.reference && !scene.parity && !all_failed)
+    compare_renderers(context, surfaces.image, reference, scene);
+  if (scene.parity && scene.parity->passes) {
+    score_techniques(context, reference, runs);
+    draw_swept(context, reference, runs);
+  }
+  if (work.memory != nullptr) recall_verdicts(work, runs);
+  compare_with_baseline(context, reference, runs);
+  if (work.plan.temporal_frames > 0) measure_sequences(context, reference, runs);
+  if (work.memory != nullptr) recall_causes(work, runs);
+  find_run_causes(context, reference, scene, runs);
+  if (work.memory == nullptr) return;
+  work.memory->remember(work.source, work.plan, work.folder, scene, runs);
+  remember_verdicts(work, runs);
+  for (const TechniqueFrame& run : runs) work.memory->remember_causes(run, runs);
+}
+
+void count(const SceneResult& scene, WorkDone& work) {
+  if (scene.reference) ++(scene.reference->is_reused ? work.references_reused : work.references_rendered);
+  for (const TechniqueResult& run : scene.techniques) ++(run.is_reused ? work.reused : work.rendered);
+}
+
+SceneResult validate_scene(const SceneWork& work, Results& results) {
+  SceneResult scene = work.source.description;
+  create_folder((work.folder / image_path(scene.name, "reference.exr")).parent_path());
+  std::vector<TechniqueFrame> runs = choose_runs(work.plan, scene.name, work.source.light, results.skipped);
+  if (!recall(work, scene, runs, results.skipped)) measure(work, scene, runs, results.skipped);
+  for (TechniqueFrame& run : runs) scene.techniques.push_back(std::move(run.result));
+  count(scene, results.work);
+  return scene;
+}
+
+}  // namespace
+
+SceneSource source_of(const SceneJob& job) {
+  const std::shared_ptr<const Scene> borrowed(&job.scene, [](const Scene*) {});
+  return {describe(job), job.scene.light().type, job.scene.active_light, job.scene.side_files,
+          [borrowed] { return borrowed; }};
+}
+
+std::optional<std::string> skip_reason(const TechniqueRun& run, LightType light) {
+  if (std::ranges::find(run.lights, light) != run.lights.end()) return std::nullopt;
+  return fmt::format("does not support {} lights", to_text(light));
+}
+
+std::optional<std::string> skip_reason(const TechniqueRun& run, const Scene& scene) {
+  return skip_reason(run, scene.light().type);
+}
+
+Results run_validation(std::span<const SceneJob> scenes, const ValidationPlan& plan, Renderers renderers,
+                       const std::filesystem::path& folder, Progress& progress, const SceneDone& scene_done) {
+  std::vector<SceneSource> sources;
+  for (const SceneJob& job : scenes) sources.push_back(source_of(job));
+  return run_validation(sources, plan, renderers, folder, progress, scene_done, nullptr);
+}
+
+Results run_validation(std::span<const SceneSource> scenes, const ValidationPlan& plan, Renderers renderers,
+                       const std::filesystem::path& folder, Progress& progress, const SceneDone& scene_done,
+                       ValidationMemory* memory) {
+  Results results;
+  results.version = kVersion;
+  results.commit = kCommit;
+  results.quality = plan.quality;
+  results.picture = plan.picture;
+  for (const SceneSource& source : scenes) {
+    const std::string prefix =
+        fmt::format("{} ({} of {}), ", source.description.name, results.scenes.size() + 1, scenes.size());
+    RenamedProgress renamed(progress, [&](std::string_view task) { return prefix + std::string(task); });
+    results.scenes.push_back(validate_scene({source, plan, renderers, folder, renamed, memory}, results));
+    if (scene_done) scene_done(results.scenes.back());
+  }
+  add_savings(results);
+  return results;
+}
+
+}  // namespace umbrameter

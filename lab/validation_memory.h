@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// What a validation finds in a store and leaves there, so that the same question is not rendered twice (docs/store.md).
+
+#include "lab/keys.h"
+#include "lab/scene_run.h"
+#include "store/late_store.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace umbrameter {
+
+class ValidationMemory {
+ public:
+  /// Without `reuse` nothing is found, and everything is kept.
+  ValidationMemory(LateStore& store, Makers makers, bool reuse)
+      : store_(store), makers_(std::move(makers)), reuse_(reuse) {}
+
+  /// Sets what is known of the scene and its runs, and puts their images into `folder`.
+  void recall(const SceneSource& source, const ValidationPlan& plan, const std::filesystem::path& folder,
+              SceneResult& scene, std::vector<TechniqueFrame>& runs);
+  /// Keeps what was not known, whose images lie in `folder`; they become links to what is kept. Runs that were not compared
+  /// and failures that may pass are not kept.
+  void remember(const SceneSource& source, const ValidationPlan& plan, const std::filesystem::path& folder,
+                SceneResult& scene, std::vector<TechniqueFrame>& runs);
+
+  /// Whether the verdict on `run` was known; then it is set.
+  bool recall_verdict(const TechniqueFrame& baseline, TechniqueFrame& run);
+  void remember_verdict(const TechniqueFrame& baseline, const TechniqueFrame& run);
+
+  /// Sets the causes of `run`, one of the scene's `runs`, where they are known, or that they were too dear where the plan asks
+  /// for no more than that.
+  void recall_causes(const ValidationPlan& plan, TechniqueFrame& run, std::span<const TechniqueFrame> runs);
+  /// Does nothing for a run without causes.
+  void remember_causes(const TechniqueFrame& run, std::span<const TechniqueFrame> runs);
+
+  /// Whether the light is known to reach nothing in the picture.
+  bool is_unlit(const SceneSource& source, const ValidationPlan& plan);
+  void remember_unlit(const SceneSource& source, const ValidationPlan& plan);
+
+ private:
+  std::optional<std::string> find(const std::string& key);
+  std::string reference_of(const SceneSource& source, const ValidationPlan& plan) const;
+  void put_run(const std::string& reference, const SceneSource& source, const ValidationPlan& plan,
+               const std::filesystem::path& folder, const SceneResult& scene, const TechniqueFrame& run);
+
+  LateStore& store_;
+  Makers makers_;
+  bool reuse_;
+  bool lacks_picture_ = false;  // the truth recalled last: a sweep's has none for people
+};
+
+}  // namespace umbrameter

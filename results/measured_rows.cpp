@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "results/measured_rows.h"
+
+#include "metrics/worst_pixels.h"
+
+namespace umbrameter {
+
+std::vector<Metric> measured_rows() {
+  std::vector<Metric> rows = {
+      {.key = "worst_pixels_rmse",
+       .label = "worst pixels",
+       .group = "error",
+       .unit = "visibility",
+       .doc = "root mean square of V - R over the hundredth of the pixels that is farthest off",
+       .measure =
+           [](const MetricInputs& in) { return measure_worst_pixels(in.test, in.reference, in.mask); }},
+  };
+  for (Metric& row : rows) {
+    row.of = [key = row.key](const TechniqueResult& run) -> std::optional<double> {
+      const auto found = run.measured.find(key);
+      return found == run.measured.end() ? std::nullopt : std::optional(found->second);
+    };
+  }
+  return rows;
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "study/grid/sweep.h"
+
+#include "core/clock.h"
+#include "lab/score.h"
+#include "lab/stored_truth.h"
+#include "lab/technique_result.h"
+#include "lab/validated.h"
+#include "lab/verdicts.h"
+#include "metrics/parity.h"
+#include "metrics/shadow_quantity.h"
+#include "results/guard.h"
+#include "results/json_parts.h"
+#include "results/measured.h"
+#include "results/metadata.h"
+#include "results/pictures.h"
+#include "study/grid/make_record.h"
+#include "study/grid/share_progress.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace umbrameter {
+namespace {
+
+/// The truth of the scene at hand.
+struct Truth {
+  std::optional<size_t> scene;  // index; absent: none yet
+  std::optional<Image> image;   // absent: it failed
+  SharedTruth shared;           // between its runs
+};
+
+/// The picture that verdicts are against.
+struct Baseline {
+  std::string key;
+  std::optional<StoredPicture> picture;  // absent: not stored
+};
+
+struct SweepContext {
+  const SweepPlan& plan;
+  std::span<const StudyScene> scenes;
+  Renderers renderers;
+  Store& store;
+  const std::filesystem::path& scratch;
+  ShareProgress progress;
+  const SweepFailed& failed;
+  Truth truth;
+  Baseline baseline;
+  SweepOutcome outcome;
+};
+
+std::string keep_picture(SweepContext& context, const Picture& picture) {
+  const std::filesystem::path file = context.scratch / "picture.png";
+  write_picture(file, picture);
+  return context.store.keep(file);
+}
+
+/// As a validation keeps it. An engine's surfaces are not those of our G-buffer.
+void keep_parity(SweepContext& context, const Parity& parity, const Image& image,
+                 const std::string& reference) {
+  const std::string key = parity_key(reference, context.plan.makers);
+  if (image.metadata.contains("engine_parity") || context.store.find(key)) return;
+  ParityNumbers numbers = parity_numbers(parity, ParityTolerance{}.required_agreement);
+  numbers.picture_file = keep_picture(context, parity_picture(parity));
+  context.store.put({key, EntryKind::parity, parity_json(numbers).dump()});
+}
+
+LabelledRequest request_of(const SweepPlan& plan, const BenchRun& run) {
+  return {run.technique.label, request_of(plan.picture, run.technique, run.seed)};
+}
+
+void report(SweepContext& context, const std::string& what, const Failure& failure) {
+  const Failure named{failure.kind, fmt::format("{}: {}", what, failure.message)};
+  context.outcome.failures.push_back(named);
+  if (context.failed) context.failed(named);
+}
+
+void render_truth(SweepContext& context, size_t scene, const std::string& key) {
+  const StudyScene& job = context.scenes[scene];
+  const PictureQuality& picture = context.plan.picture;
+  const RenderRequest request = request_of(picture);
+  const Clock::time_point start = Clock::now();
+  ReferenceRecord record{make_head(job, picture, picture.seed), {}};
+  Frame frame;
+  const auto failure = guarded([&] {
+    frame = context.renderers.reference.render(job.scene, request, context.progress);
+    record.result = describe_truth(frame);
+  });
+  if (failure) return report(context, full_name(job), *failure);
+  record.head.duration_s = seconds_since(start);
+  add_metadata(frame, job.scene, request);
+  keep_truth(context.store, key, std::move(record), frame.image, context.scratch);
+  ++context.outcome.references_rendered;
+  context.truth.image = std::move(frame.image);
+}
+
+/// From the store if it may and can, else rendered.
+void require_truth(SweepContext& context, size_t scene, const std::string& key) {
+  if (context.truth.scene == scene) return;
+  context.truth = {scene, std::nullopt, {}};
+  auto known = context.plan.reuse ? find_truth(context.store, key) : std::nullopt;
+  if (!known) return render_truth(context, scene, key);
+  context.truth.image = std::move(known->image);
+}
+
+/// The first frame, and when times are wanted those of more, in turn with the baseline's.
+Frame render_frames(SweepContext& context, const PlanStep& step, size_t baseline, RunRecord& record) {
+  const SweepPlan& plan = context.plan;
+  std::vector<LabelledRequest> requests{request_of(plan, plan.runs[*step.run])};
+  if (plan.timing && baseline != *step.run) requests.push_back(request_of(plan, plan.runs[baseline]));
+  const TimingPlan timing = plan.timing.value_or(TimingPlan{.wanted_frames = 0});
+  std::vector<TimedRun> runs = render_interleaved(
+      context.renderers.realtime, context.scenes[step.scene].scene, requests, timing, context.progress);
+  record.result.failure = runs.front().failure;
+  if (record.result.failure) return {};
+  take_frame(runs.front(), record.result);
+  if (runs.size() > 1 && !runs[1].failure) record.baseline_times = summarise(runs[1].times);
+  return std::move(runs.front().frame);
+}
+
+/// Counts which of the two is nearer to the truth.
+void judge(SweepContext& context, const RunRecord& record, const StoredPicture& picture) {
+  Baseline& baseline = context.baseline;
+  if (baseline.key != record.baseline)
+    baseline = {record.baseline, find_picture(context.store, record.baseline)};
+  if (!baseline.picture) return;
+  const auto verdict =
+      judge_runs({picture.image, picture.mask}, {baseline.picture->image, baseline.picture->mask}, "",
+                 *context.truth.image);
+  if (verdict) ++context.outcome.verdicts[verdict->outcome];
+}
+
+/// Notes why a run without failure says nothing.
+void check_measured(SweepContext& context, const PlanStep& step, const std::optional<VisibilityError>& error,
+                    size_t scorable_pixels) {
+  const std::optional<std::string> reason =
+      error ? unmeasured(error->scored_pixels, scorable_pixels)
+            : std::optional<std::string>("the renderers see other surfaces");
+  if (!reason) return;
+  const std::string& label = context.plan.runs[*step.run].technique.label;
+  context.outcome.unmeasured.push_back(
+      fmt::format("{}, {}: not measured: {}", full_name(context.scenes[step.scene]), label, *reason));
+}
+
+/// Of the scene's first run of that seed; empty for itself.
+std::string baseline_key(const SweepContext& context, const PlanStep& step, const std::string& reference) {
+  const SweepPlan& plan = context.plan;
+  const size_t baseline = baseline_of(plan, context.scenes[step.scene].scene, *step.run);
+  if (baseline == *step.run) return {};
+  const BenchRun& first = plan.runs[baseline];
+  return run_key(reference, first.technique, first.seed, plan.metrics, plan.makers);
+}
+
+/// A run that a validation has is kept as a sweep's, and compared with its baseline.
+bool take_validated(SweepContext& context, const PlanStep& step, const std::string& reference) {
+  if (!context.plan.reuse) return false;
+  auto validated = find_validated(context.store, step.key, context.plan.timing.has_value());
+  if (!validated) return false;
+  require_truth(context, step.scene, reference);
+  if (!context.truth.image) return false;
+  const StudyScene& job = context.scenes[step.scene];
+  const BenchRun& run = context.plan.runs[*step.run];
+  const StoredPicture picture =
+      swept_picture(context.store, *validated, *context.truth.image, job.scene.camera);
+  RunRecord record = swept(*std::move(validated), run.technique.label);
+  record.head.scene = job.name;
+  record.head.camera = job.camera;
+  record.baseline = baseline_key(context, step, reference);
+  record.result.image_file = keep_image(context.store, picture.image, context.scratch);
+  context.store.put({step.key, EntryKind::run, to_json_text(record)});
+  ++context.outcome.reused;
+  check_measured(context, step, record.result.error,
+                 static_cast<size_t>(std::ranges::count(scorable_mask(*context.truth.image), 1)));
+  if (!record.baseline.empty()) judge(context, record, picture);
+  return true;
+}
+
+void render_run(SweepContext& context, const PlanStep& step, const std::string& reference) {
+  const StudyScene& job = context.scenes[step.scene];
+  const SweepPlan& plan = context.plan;
+  const BenchRun& run = plan.runs[*step.run];
+  RunRecord record = make_record(run, make_head(job, plan.picture, run.seed), reference);
+  const size_t baseline = baseline_of(plan, job.scene, *step.run);
+  record.baseline = baseline_key(context, step, reference);
+  MetricChoice metrics = plan.metrics;
+  metrics.verdict = false;  // a verdict is of two runs
+  TechniqueResult& result = record.result;
+  const Frame frame = render_frames(context, step, baseline, record);
+  StoredPicture picture;
+  const Clock::time_point start = Clock::now();
+  if (!result.failure) {
+    result.failure = guarded([&] {
+      std::optional<Image> made;
+      const Image& truth = truth_for(frame.image, *context.truth.image, made);
+      Score score = score_image(frame.image, truth, job.scene.camera.eye_world, {metrics, {}},
+                                made ? nullptr : &context.truth.shared);
+      take_score(score, record);
+      keep_parity(context, score.parity, frame.image, reference);
+      if (score.diagnosis)
+        result.fault_picture_file =
+            keep_picture(context, fault_picture(score.fault_classes, truth.width, truth.height));
+      check_measured(context, step, score.error, score.scorable_pixels);
+      picture = {picture_to_store(frame.image, score.mask), std::move(score.mask)};
+    });
+  }
+  record.head.duration_s = result.wall_time_s + seconds_since(start);
+  if (!result.failure) result.image_file = keep_image(context.store, picture.image, context.scratch);
+  context.store.put({step.key, EntryKind::run, to_json_text(record)});
+  ++context.outcome.rendered;
+  if (result.failure)
+    return report(context, fmt::format("{}, {}", full_name(job), result.label), *result.failure);
+  if (!record.baseline.empty() && !picture.mask.empty()) judge(context, record, picture);
+}
+
+/// Whether the run is in the store; its failure is reported again.
+bool take_stored(SweepContext& context, const PlanStep& step) {
+  if (!context.plan.reuse) return false;
+  const auto json = context.store.find(step.key);
+  const auto stored = json ? parse_run_record(*json) : std::nullopt;
+  if (!stored) return false;
+  const auto& failure = stored->result.failure;
+  if (failure && failure->kind != ErrorKind::input) return false;
+  if (context.plan.timing && !failure && stored->result.pass_times.empty()) return false;
+  ++context.outcome.reused;
+  const std::string& label = context.plan.runs[*step.run].technique.label;
+  if (failure) {
+    report(context, fmt::format("{}, {}", full_name(context.scenes[step.scene]), label), *failure);
+    return true;
+  }
+  const auto truth = context.store.find(stored->reference);
+  const auto record = truth ? parse_reference_record(*truth) : std::nullopt;
+  if (record) check_measured(context, step, stored->result.error, record->result.scorable_pixels);
+  return true;
+}
+
+void do_run(SweepContext& context, const PlanStep& step, const std::string& reference) {
+  if (step.action == StepAction::skip) {
+    ++context.outcome.skipped;
+    return;
+  }
+  if (take_stored(context, step) || take_validated(context, step, reference)) return;
+  require_truth(context, step.scene, reference);
+  if (!context.truth.image) {
+    ++context.outcome.not_done;
+    return;
+  }
+  render_run(context, step, reference);
+}
+
+/// Weight of a step on the bar.
+uint64_t milliseconds_of(const PlanStep& step) {
+  return step.action == StepAction::render ? 1 + static_cast<uint64_t>(1000.0 * step.estimated_s) : 0;
+}
+
+}  // namespace
+
+SweepOutcome run_sweep(const SweepPlan& plan, std::span<const StudyScene> scenes,
+                       std::span<const PlanStep> steps, Renderers renderers, Store& store,
+                       const std::filesystem::path& scratch, Progress& progress, const SweepFailed& failed) {
+  uint64_t total_ms = 0;
+  for (const PlanStep& step : steps) total_ms += milliseconds_of(step);
+  progress.begin(fmt::format("sweep of {} runs",
+                             std::ranges::count_if(steps,
+                                                   [](const PlanStep& step) {
+                                                     return step.run && step.action == StepAction::render;
+                                                   })),
+                 total_ms);
+  SweepContext context{plan, scenes, renderers, store, scratch, ShareProgress(progress), failed, {}, {}, {}};
+  std::string reference;  // key, of the scene at hand
+  for (const PlanStep& step : steps) {
+    context.progress.start_share(milliseconds_of(step));
+    if (!step.run) reference = step.key;
+    if (!step.run && step.action == StepAction::render) require_truth(context, step.scene, step.key);
+    if (step.run) do_run(context, step, reference);
+    context.progress.end_share();
+  }
+  progress.end();
+  return context.outcome;
+}
+
+}  // namespace umbrameter
