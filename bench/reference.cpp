@@ -249,8 +249,8 @@ void print_scaling() {
 }
 
 template <class T>
-uint64_t bytes_of(const std::vector<T>& items) {
-  return items.capacity() * sizeof(T);
+uint64_t bytes_of(const SharedList<T>& items) {
+  return items.size() * sizeof(T);
 }
 
 /// What the reference builds, and holds while it renders, over what Embree alone does.

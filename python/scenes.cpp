@@ -11,7 +11,7 @@ namespace umbrameter::python {
 namespace {
 
 template <class Vector>
-py::array rows_of_three(const py::object& owner, const std::vector<Vector>& rows) {
+py::array rows_of_three(const py::object& owner, const SharedList<Vector>& rows) {
   using Number = typename Vector::value_type;
   py::array view(py::dtype::of<Number>(), {rows.size(), size_t{3}}, {},
                  reinterpret_cast<const Number*>(rows.data()), owner);

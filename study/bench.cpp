@@ -3,6 +3,7 @@
 
 #include "core/hash.h"
 #include "core/version.h"
+#include "scenes/instances.h"
 #include "study/guard.h"
 #include "study/renamed_progress.h"
 #include "study/score.h"
@@ -37,7 +38,7 @@ BenchScene describe(const StudyScene& job) {
   scene.title = job.scene.title;
   scene.hash = job.scene.hash;
   scene.light = to_text(job.scene.light().type);
-  scene.triangles = job.scene.triangles.size();
+  scene.triangles = count_shown_triangles(job.scene);
   scene.warnings = job.scene.warnings;
   return scene;
 }

@@ -3,6 +3,7 @@
 
 #include "core/files.h"
 #include "core/version.h"
+#include "scenes/instances.h"
 #include "study/causes/run_causes.h"
 #include "study/guard.h"
 #include "study/renamed_progress.h"
@@ -27,7 +28,7 @@ SceneResult describe(const SceneJob& job) {
   result.hash = scene.hash;
   result.light_name = scene.light().name;
   result.light_type = to_text(scene.light().type);
-  result.triangles = scene.triangles.size();
+  result.triangles = count_shown_triangles(scene);
   result.warnings = scene.warnings;
   return result;
 }

@@ -23,6 +23,7 @@ struct ShaderFile {
   ShaderStage stage = ShaderStage::vertex;
   std::filesystem::path file;
   std::string prelude;  // put between #version and the file; may itself #include
+  bool places_vertices = false;  // with_placed_vertices() changes the text
 };
 
 struct StageText {
