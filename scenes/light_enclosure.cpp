@@ -95,7 +95,7 @@ bool is_pierced(const Scene& scene, const MeshPart& part, const Light& light) {
 }
 
 /// With lights and camera of `scene`.
-Scene only(const Instance& instance, const Scene& scene) {
+Scene only_instance(const Instance& instance, const Scene& scene) {
   auto mesh = std::make_shared<InstancedMesh>(*instance.mesh);
   mesh->world_from_mesh = {*instance.world_from_mesh};
   Scene alone;
@@ -139,7 +139,7 @@ std::vector<std::string> find_enclosed_lights(const Scene& scene) {
   const double margin = kTouching * scene.bounds_world.diagonal();
   find_in_parts(scene, margin, warnings);
   for (const Instance& instance : list_instances(scene)) {
-    if (may_reach(instance, scene.lights, margin)) find_in_parts(only(instance, scene), margin, warnings);
+    if (may_reach(instance, scene.lights, margin)) find_in_parts(only_instance(instance, scene), margin, warnings);
   }
   return warnings;
 }

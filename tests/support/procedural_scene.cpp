@@ -156,8 +156,8 @@ Scene moved_scene(const Scene& scene, const glm::dmat4& moved_from_world) {
   const auto point = [&](const glm::dvec3& p) { return glm::dvec3(moved_from_world * glm::dvec4(p, 1.0)); };
   const auto vector = [&](const glm::dvec3& v) { return glm::normalize(glm::dmat3(moved_from_world) * v); };
   Scene moved = scene;
-  for (glm::vec3& p : moved.positions_world) p = point(p);
-  for (glm::vec3& n : moved.normals_world) n = vector(n);
+  for (glm::vec3& p : moved.positions_world.edit()) p = point(p);
+  for (glm::vec3& n : moved.normals_world.edit()) n = vector(n);
   moved.camera.eye_world = point(scene.camera.eye_world);
   moved.camera.at_world = point(scene.camera.at_world);
   moved.camera.up_world = vector(scene.camera.up_world);
