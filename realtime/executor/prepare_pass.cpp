@@ -117,11 +117,12 @@ std::shared_ptr<const Program> compile(const PassDeclaration& pass, const std::f
     return target == nullptr ? nullptr : &target->texture->format();
   };
   prelude.takes_blocker_truth = inputs.takes_blocker_truth;
-  const std::string vertex_holes = drawn.has_holes ? cutout_vertex_prelude() : "";
+  const std::string vertex_more = drawn.are_instances ? instance_vertex_prelude(drawn.has_holes)
+                                  : drawn.has_holes   ? cutout_vertex_prelude()
+                                                      : "";
   const std::string fragment_holes = drawn.has_holes ? cutout_fragment_prelude() : "";
-  const std::string placing = drawn.are_instances ? instance_vertex_prelude() : "";
   std::vector<ShaderFile> stages = {
-      {ShaderStage::vertex, vertex, vertex_prelude(prelude) + placing + vertex_holes, drawn.are_instances}};
+      {ShaderStage::vertex, vertex, vertex_prelude(prelude) + vertex_more, drawn.are_instances}};
   if (!pass.fragment.empty() || drawn.has_holes) {
     const auto fragment = pass.fragment.empty() ? inputs.shaders_folder / "lib" / "cutout_depth.frag"
                                                 : find_shader(pass.fragment, inputs.technique.folder,

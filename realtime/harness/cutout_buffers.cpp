@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "realtime/harness/cutout_buffers.h"
 
+#include "realtime/harness/wrapped_main.h"
 #include "scenes/instances.h"
 
 #include <bit>
@@ -98,12 +99,6 @@ std::vector<CutoutVertex> make_vertices(const Scene& scene) {
   return vertices;
 }
 
-/// `before`, then the pass's main() under another name, then `after`.
-std::string around_main(const std::string& before, const std::string& after) {
-  return before + "#define main() main_of_pass(); void main() { main_of_pass(); " + after +
-         " } void main_of_pass()\n";
-}
-
 }  // namespace
 
 uint32_t cutout_word(uint32_t cutout) {
@@ -139,17 +134,16 @@ void CutoutBuffers::draw() const {
   glDrawArrays(GL_TRIANGLES, 0, vertex_count_);
 }
 
-std::string cutout_vertex_prelude() {
-  return around_main(
-      "layout(location = 1) in vec2 cutout_uv_of_vertex;\n"
-      "layout(location = 2) in uint cutout_mask_of_vertex;\n"
-      "out vec2 cutout_uv;\nflat out uint cutout_mask;\n",
-      "cutout_uv = cutout_uv_of_vertex; cutout_mask = cutout_mask_of_vertex;");
+std::string cutout_vertex_prelude(const std::string& before_main) {
+  return "layout(location = 1) in vec2 cutout_uv_of_vertex;\n"
+         "layout(location = 2) in uint cutout_mask_of_vertex;\n"
+         "out vec2 cutout_uv;\nflat out uint cutout_mask;\n" +
+         wrapped_main(before_main, "cutout_uv = cutout_uv_of_vertex; cutout_mask = cutout_mask_of_vertex;");
 }
 
 std::string cutout_fragment_prelude() {
-  return around_main("#include \"cutout.glsl\"\nin vec2 cutout_uv;\nflat in uint cutout_mask;\n",
-                     "if (is_hole(cutout_mask, cutout_uv)) discard;");
+  return "#include \"cutout.glsl\"\nin vec2 cutout_uv;\nflat in uint cutout_mask;\n" +
+         wrapped_main("", "if (is_hole(cutout_mask, cutout_uv)) discard;");
 }
 
 }  // namespace umbrameter

@@ -39,8 +39,9 @@ class CutoutBuffers {
 /// Of CutoutBuffers::vertices(), by buffer slot 0.
 VertexArray make_cutout_vertex_array(const Buffer& vertices);
 
-/// Put at the end of a pass's own preludes: its main() runs first, then what lies in a hole is discarded.
-std::string cutout_vertex_prelude();
+/// Put at the end of a pass's own preludes: its main() runs first (after `before_main`), then what lies in a
+/// hole is discarded.
+std::string cutout_vertex_prelude(const std::string& before_main = {});
 std::string cutout_fragment_prelude();
 
 }  // namespace umbrameter

@@ -2,19 +2,19 @@
 #include "realtime/harness/placed_vertices.h"
 
 #include "core/error.h"
+#include "realtime/harness/cutout_buffers.h"
 #include "realtime/harness/instance_buffers.h"
+#include "realtime/harness/wrapped_main.h"
 
 #include <regex>
 
 namespace umbrameter {
 
-std::string instance_vertex_prelude() {
-  return fmt::format(
-      "#include \"instances.glsl\"\n"
-      "layout(location = {}) in uint instance_of_vertex;\n"
-      "void place_vertex();\n"
-      "#define main() main_of_place(); void main() {{ place_vertex(); main_of_place(); }} void main_of_place()\n",
-      kInstanceLocation);
+std::string instance_vertex_prelude(bool has_holes) {
+  constexpr const char* kPlace = "place_vertex();";
+  return fmt::format("#include \"instances.glsl\"\nlayout(location = {}) in uint instance_of_vertex;\nvoid place_vertex();\n",
+                     kInstanceLocation) +
+         (has_holes ? cutout_vertex_prelude(kPlace) : wrapped_main(kPlace, ""));
 }
 
 std::string with_placed_vertices(const std::string& text, const std::string& file) {

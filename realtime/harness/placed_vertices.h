@@ -6,9 +6,9 @@
 
 namespace umbrameter {
 
-/// Put at the end of a pass's own prelude, before anything else that wraps main(): the shader's vertex then stands where its
+/// Put at the end of a pass's own prelude, with that of cut-outs if it `has_holes`: the shader's vertex then stands where its
 /// instance does. Its text goes through with_placed_vertices().
-std::string instance_vertex_prelude();
+std::string instance_vertex_prelude(bool has_holes);
 
 /// `text` whose declaration `layout(location = 0) in vec3 NAME;` is replaced, so that NAME is set by that prelude. Error{input}
 /// naming `file` where the text does not hold exactly one.
