@@ -31,8 +31,9 @@ int import_scene(const std::string& name, const GlobalOptions& global) {
     for (const std::string& warning : *warnings) print_warning(warning);
   }
   if (global.json) {
-    print_json(
-        {{"file", target.string()}, {"triangles", count_shown_triangles(scene)}, {"lights", scene.lights.size()}});
+    print_json({{"file", target.string()},
+                {"triangles", count_shown_triangles(scene)},
+                {"lights", scene.lights.size()}});
   } else {
     print_answer(fmt::format("{}: {} triangles, {} light{}\n", target.string(), count_shown_triangles(scene),
                              scene.lights.size(), scene.lights.size() == 1 ? "" : "s"));

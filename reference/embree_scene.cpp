@@ -49,7 +49,8 @@ void copy_buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, con
 
 /// Id 0 of `scene`.
 void attach_triangles(RTCDevice device, RTCScene scene, const SharedList<glm::vec3>& positions,
-                      const SharedList<glm::uvec3>& triangles, HoleGeometry holes, std::list<HoleGeometry>& kept) {
+                      const SharedList<glm::uvec3>& triangles, HoleGeometry holes,
+                      std::list<HoleGeometry>& kept) {
   if (triangles.empty()) return;
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
   copy_buffer(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, positions);
@@ -91,10 +92,14 @@ bool EmbreeScene::load(const Scene& scene) {
   meshes_.clear();
   holes_.clear();
   // Following a packet's frustum saves a third to a half of the time on bunny and Sponza; in a tree of a few leaves it
-  // costs a third.
+  // costs a third. With instances Embree 3.13.5 does not come back from it.
   constexpr size_t kFewTriangles = 256;
-  packet_flags_ = count_shown_triangles(scene) < kFewTriangles ? RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT
-                                                         : RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  const bool has_instances = !scene.instanced.empty();
+  packet_flags_ = has_instances || scene.triangles.size() < kFewTriangles
+                      ? RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT
+                      : RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  primary_flags_ =
+      has_instances ? RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT : RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   loaded_hash_.clear();
   attach_triangles(device_.get(), scene_.get(), scene.positions_world, scene.triangles,
                    {scene.first_cutout(), scene.cutouts, scene.masks}, holes_);

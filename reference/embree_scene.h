@@ -52,6 +52,8 @@ class EmbreeScene {
   int packet_width() const { return packet_width_; }
   /// How packets of rays from one origin are traced fastest.
   RTCIntersectContextFlags packet_flags() const { return packet_flags_; }
+  /// And packets of the camera's rays.
+  RTCIntersectContextFlags primary_flags() const { return primary_flags_; }
   uint64_t memory_bytes() const { return static_cast<uint64_t>(memory_bytes_.load()); }
   std::string version() const;
 
@@ -68,6 +70,7 @@ class EmbreeScene {
   std::list<HoleGeometry> holes_;  // what the filter looks up: stays where it is
   int packet_width_ = 4;
   RTCIntersectContextFlags packet_flags_ = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  RTCIntersectContextFlags primary_flags_ = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
 };
 
 }  // namespace umbrameter

@@ -108,7 +108,8 @@ std::vector<CheckedPoint> check_pixels(const Scene& scene, const Image& referenc
                                        std::span<const size_t> pixels, const ExactOracle& oracle, int threads,
                                        Progress& progress) {
   require_exact(scene);
-  if (!scene.instanced.empty()) return check_pixels(flattened(scene), reference, pixels, oracle, threads, progress);
+  if (!scene.instanced.empty())
+    return check_pixels(flattened(scene), reference, pixels, oracle, threads, progress);
   constexpr double kLift = 1e-12;
   const double lift_world = kLift * extent_world(scene);
   std::vector<ExactReceiver> receivers;

@@ -94,7 +94,8 @@ void require_indices(const ExactRequest& request, const Reader& reader) {
 
 void write_exact_request(const std::filesystem::path& file, const Scene& scene,
                          std::span<const ExactReceiver> receivers, int threads) {
-  UMBRAMETER_ASSERT(scene.cutouts.empty() && scene.instanced.empty(), "the exact oracle knows neither holes nor instances");
+  UMBRAMETER_ASSERT(scene.cutouts.empty() && scene.instanced.empty(),
+                    "the exact oracle knows neither holes nor instances");
   std::ofstream stream(file, std::ios::binary);
   Writer writer(stream);
   writer.put(kFormat);

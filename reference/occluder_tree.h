@@ -28,7 +28,8 @@ struct OccluderInner : OccluderNode {
 };
 struct OccluderLeaf : OccluderNode {
   static constexpr uint32_t kTriangles = 8;
-  std::array<uint32_t, kTriangles> triangles;  // beyond the scene's own: instances, in the order of list_instances()
+  std::array<uint32_t, kTriangles>
+      triangles;  // beyond the scene's own: instances, in the order of list_instances()
 };
 
 /// Built by Embree's builder in Embree's memory, which embree.memory_bytes() counts.

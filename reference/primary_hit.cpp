@@ -190,7 +190,7 @@ PrimaryBlock PrimaryCamera::hits(const EmbreeScene& embree, int x0, int y0) cons
   }
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  context.flags = embree.primary_flags();
   rtcIntersect16(rays.valid.data(), embree.handle(), &context, &rays.packet);
 
   PrimaryBlock block;
@@ -199,9 +199,11 @@ PrimaryBlock PrimaryCamera::hits(const EmbreeScene& embree, int x0, int y0) cons
   for (uint32_t i = 0; i < kRays; ++i) {
     if (rays.packet.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
     const uint32_t primitive = rays.packet.hit.primID[i], instance_id = rays.packet.hit.instID[0][i];
-    const Instance* instance = instance_id == RTC_INVALID_GEOMETRY_ID ? nullptr : &instances_[instance_id - 1];
+    const Instance* instance =
+        instance_id == RTC_INVALID_GEOMETRY_ID ? nullptr : &instances_[instance_id - 1];
     const uint32_t shown = instance == nullptr ? primitive : instance->first_shown + primitive;
-    if (shown != seen) t = instance == nullptr ? see_triangle(scene_, primitive) : see_triangle(*instance, primitive);
+    if (shown != seen)
+      t = instance == nullptr ? see_triangle(scene_, primitive) : see_triangle(*instance, primitive);
     seen = shown;
     PrimaryHit& hit = block[i].emplace();
     hit.primitive = shown_id(shown);

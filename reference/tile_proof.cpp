@@ -109,7 +109,8 @@ class TileShaft {
   std::vector<Side> sides_;
 };
 
-bool meets_any(const TileShaft& shaft, const OccluderTree& tree, const Scene& scene, const OccluderLeaf& leaf) {
+bool meets_any(const TileShaft& shaft, const OccluderTree& tree, const Scene& scene,
+               const OccluderLeaf& leaf) {
   const auto corner = [&](uint32_t vertex) { return glm::dvec3(scene.positions_world[vertex]); };
   return std::any_of(leaf.triangles.begin(), leaf.triangles.begin() + leaf.triangle_count,
                      [&](uint32_t triangle) {
@@ -119,7 +120,8 @@ bool meets_any(const TileShaft& shaft, const OccluderTree& tree, const Scene& sc
                      });
 }
 
-bool meets_any(const TileShaft& shaft, const OccluderTree& tree, const Scene& scene, const OccluderNode* node) {
+bool meets_any(const TileShaft& shaft, const OccluderTree& tree, const Scene& scene,
+               const OccluderNode* node) {
   if (node->triangle_count > 0) return meets_any(shaft, tree, scene, *static_cast<const OccluderLeaf*>(node));
   const auto& inner = *static_cast<const OccluderInner*>(node);
   for (uint32_t k = 0; k < inner.child_count; ++k) {

@@ -95,7 +95,9 @@ bool sees_anything(const Scene& scene) {
   };
   const auto& p = scene.positions_world;
   return std::ranges::any_of(scene.triangles,
-                             [&](const glm::uvec3& t) { return is_seen({p[t.x], p[t.y], p[t.z]}); }) ||
+                             [&](const glm::uvec3& t) {
+                               return is_seen({p[t.x], p[t.y], p[t.z]});
+                             }) ||
          std::ranges::any_of(list_instances(scene), shows_any);
 }
 
@@ -193,7 +195,8 @@ void check_instanced(const Scene& scene, const InstancedMesh& mesh, std::vector<
   Scene alone;
   alone.positions_world = mesh.positions;
   alone.triangles = mesh.triangles;
-  alone.camera.eye_world = glm::inverse(glm::dmat3(place[0], place[1], place[2])) * (scene.camera.eye_world - dvec3(place[3]));
+  alone.camera.eye_world =
+      glm::inverse(glm::dmat3(place[0], place[1], place[2])) * (scene.camera.eye_world - dvec3(place[3]));
   for (const MeshPart& part : mesh.parts) check_part(alone, part, found);
 }
 

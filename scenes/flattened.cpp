@@ -20,15 +20,17 @@ class Flattener {
     add_vertices(flat);
     add_masks(flat);
     for (const bool wants_holes : {false, true}) {
-      add_triangles({scene_.triangles, scene_.parts, scene_.cutouts, scene_.first_cutout(), 0, 0}, wants_holes, flat);
+      add_triangles({scene_.triangles, scene_.parts, scene_.cutouts, scene_.first_cutout(), 0, 0},
+                    wants_holes, flat);
       for (size_t i = 0; i < instances_.size(); ++i) {
         const InstancedMesh& mesh = *instances_[i].mesh;
-        add_triangles({mesh.triangles, mesh.parts, mesh.cutouts, mesh.first_cutout(), first_vertex_[i], first_mask_.at(&mesh)},
+        add_triangles({mesh.triangles, mesh.parts, mesh.cutouts, mesh.first_cutout(), first_vertex_[i],
+                       first_mask_.at(&mesh)},
                       wants_holes, flat);
       }
     }
-    UMBRAMETER_ASSERT(triangles_.size() == count_shown_triangles(scene_), "parts cover {} of {} triangles", triangles_.size(),
-                      count_shown_triangles(scene_));
+    UMBRAMETER_ASSERT(triangles_.size() == count_shown_triangles(scene_), "parts cover {} of {} triangles",
+                      triangles_.size(), count_shown_triangles(scene_));
     flat.triangles = std::move(triangles_);
     flat.cutouts = std::move(cutouts_);
     if (!flat.hash.empty()) flat.hash = hash_scene(flat);
@@ -94,9 +96,10 @@ Scene flattened(const Scene& scene) {
   if (scene.instanced.empty()) return scene;
   const uint64_t count = count_shown_triangles(scene);
   if (count > kMaxTriangles) {
-    fail_input(fmt::format("scene '{}' shows {} triangles with its instances; at most {} can be had each on its own", scene.name,
-                           count, kMaxTriangles),
-               scene.source, "what knows no instances needs fewer of them");
+    fail_input(
+        fmt::format("scene '{}' shows {} triangles with its instances; at most {} can be had each on its own",
+                    scene.name, count, kMaxTriangles),
+        scene.source, "what knows no instances needs fewer of them");
   }
   return Flattener(scene).run();
 }

@@ -77,7 +77,8 @@ uint64_t count_shown_cutouts(const Scene& scene) {
 }
 
 bool has_shading_normals(const Scene& scene) {
-  return !scene.normals_world.empty() || (!scene.instanced.empty() && !scene.instanced.front()->normals.empty());
+  return !scene.normals_world.empty() ||
+         (!scene.instanced.empty() && !scene.instanced.front()->normals.empty());
 }
 
 bool is_kept_once(uint64_t triangles, std::span<const glm::dmat4> world_from_mesh) {

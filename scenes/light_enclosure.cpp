@@ -139,7 +139,8 @@ std::vector<std::string> find_enclosed_lights(const Scene& scene) {
   const double margin = kTouching * scene.bounds_world.diagonal();
   find_in_parts(scene, margin, warnings);
   for (const Instance& instance : list_instances(scene)) {
-    if (may_reach(instance, scene.lights, margin)) find_in_parts(only_instance(instance, scene), margin, warnings);
+    if (may_reach(instance, scene.lights, margin))
+      find_in_parts(only_instance(instance, scene), margin, warnings);
   }
   return warnings;
 }

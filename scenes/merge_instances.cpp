@@ -32,7 +32,8 @@ glm::dmat4 unmirrored(glm::dmat4 world_from_mesh) {
 
 std::vector<glm::mat4x3> float_places(const std::vector<glm::dmat4>& places) {
   std::vector<glm::mat4x3> floats;
-  for (const glm::dmat4& m : places) floats.emplace_back(glm::vec3(m[0]), glm::vec3(m[1]), glm::vec3(m[2]), glm::vec3(m[3]));
+  for (const glm::dmat4& m : places)
+    floats.emplace_back(glm::vec3(m[0]), glm::vec3(m[1]), glm::vec3(m[2]), glm::vec3(m[3]));
   return floats;
 }
 
@@ -65,16 +66,19 @@ InstancedMesh cleaned(const NamedMesh& owner, MeshData mesh, bool is_smooth, Sce
   Scene own;
   merge_meshes(alone, own);
   scene.warnings.insert(scene.warnings.end(), own.warnings.begin(), own.warnings.end());
-  return {own.positions_world, own.normals_world, own.triangles, own.parts, own.cutouts, own.masks, own.bounds_world, {}};
+  return {own.positions_world, own.normals_world, own.triangles,    own.parts,
+          own.cutouts,         own.masks,         own.bounds_world, {}};
 }
 
 void grow_bounds(const NamedMesh& owner, const Instance& instance, Scene& scene) {
   for (uint32_t v = 0; v < instance.mesh->positions.size(); ++v) {
     const dvec3 p = instance.p_world(v);
     if (!(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) <= kMaxLength_world))
-      fail_input(fmt::format("an instance of mesh '{}' has a vertex at ({}, {}, {}); coordinates must stay within {:g}",
-                             owner.name, p.x, p.y, p.z, kMaxLength_world),
-                 owner.where, "check where its nodes stand");
+      fail_input(
+          fmt::format(
+              "an instance of mesh '{}' has a vertex at ({}, {}, {}); coordinates must stay within {:g}",
+              owner.name, p.x, p.y, p.z, kMaxLength_world),
+          owner.where, "check where its nodes stand");
     scene.bounds_world.min = glm::min(scene.bounds_world.min, p);
     scene.bounds_world.max = glm::max(scene.bounds_world.max, p);
   }
@@ -89,22 +93,25 @@ uint64_t stored_triangles(const Scene& scene) {
 void require_countable(const NamedMesh& owner, const Scene& scene) {
   const uint64_t stored = stored_triangles(scene), shown = count_shown_triangles(scene);
   if (stored > kMaxTriangles)
-    fail_input(fmt::format("with mesh '{}' the scene has {} triangles; at most {} can be told apart", owner.name, stored,
-                           kMaxTriangles),
+    fail_input(fmt::format("with mesh '{}' the scene has {} triangles; at most {} can be told apart",
+                           owner.name, stored, kMaxTriangles),
                owner.where);
   if (shown > kMaxShownTriangles)
-    fail_input(fmt::format("with the instances of mesh '{}' the scene shows {} triangles; at most {} can be told apart",
-                           owner.name, shown, kMaxShownTriangles),
-               owner.where);
+    fail_input(
+        fmt::format(
+            "with the instances of mesh '{}' the scene shows {} triangles; at most {} can be told apart",
+            owner.name, shown, kMaxShownTriangles),
+        owner.where);
 }
 
-void add_mesh(const NamedMesh& owner, MeshData data, const std::vector<glm::dmat4>& places, bool is_smooth, Scene& scene) {
+void add_mesh(const NamedMesh& owner, MeshData data, const std::vector<glm::dmat4>& places, bool is_smooth,
+              Scene& scene) {
   if (places.empty()) return;
   auto mesh = std::make_shared<InstancedMesh>(cleaned(owner, std::move(data), is_smooth, scene));
   mesh->world_from_mesh = float_places(places);
   if (const size_t dropped = drop_repeated(mesh->world_from_mesh); dropped > 0)
-    scene.warnings.push_back(fmt::format("{}: dropped {} instance{} that stood where another does", owner.label, dropped,
-                                         dropped == 1 ? "" : "s"));
+    scene.warnings.push_back(fmt::format("{}: dropped {} instance{} that stood where another does",
+                                         owner.label, dropped, dropped == 1 ? "" : "s"));
   for (const glm::mat4x3& place : mesh->world_from_mesh) grow_bounds(owner, {mesh.get(), &place, 0}, scene);
   scene.instanced.push_back(std::move(mesh));
   require_countable(owner, scene);

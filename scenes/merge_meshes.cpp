@@ -143,8 +143,8 @@ void split_flat(MeshData& mesh) {
 }
 
 void merge_meshes(std::vector<NamedMesh>& meshes, Scene& scene) {
-  const bool smooth = std::any_of(meshes.begin(), meshes.end(),
-                                  [](const NamedMesh& mesh) { return has_normals(mesh.mesh); });
+  const bool smooth =
+      std::any_of(meshes.begin(), meshes.end(), [](const NamedMesh& mesh) { return has_normals(mesh.mesh); });
   std::vector<uint32_t> first_triangles{0};
   std::vector<uint32_t> cutout_of_triangle;
   for (NamedMesh& mesh : meshes) {

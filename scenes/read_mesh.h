@@ -16,8 +16,9 @@ namespace umbrameter {
 
 /// Reads `[[mesh]]` tables (docs/scene-format.md) and brings them to world space. `folder` is the scene file's. Tables that
 /// name one file, with one filter, become one repeated mesh with the first table's name where is_kept_once() says so.
-std::vector<NamedMesh> read_meshes(std::span<const TomlNode* const> tables, const std::filesystem::path& folder,
-                                   const SceneSearch& search, std::vector<std::string>& warnings);
+std::vector<NamedMesh> read_meshes(std::span<const TomlNode* const> tables,
+                                   const std::filesystem::path& folder, const SceneSearch& search,
+                                   std::vector<std::string>& warnings);
 
 /// The mesh file called `name`: beside the scene, then in search.assets; empty when it is in neither.
 std::optional<std::filesystem::path> find_mesh_file(const std::string& name,

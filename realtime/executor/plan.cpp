@@ -227,7 +227,8 @@ class Planner {
   std::map<std::pair<const FittedView*, size_t>, UniformRange> view_ranges_;
   std::map<std::pair<const FittedView*, bool>, std::shared_ptr<const IndexRanges>>
       casters_;  // bool: clamped depth
-  std::map<std::pair<const FittedView*, bool>, std::shared_ptr<const InstanceSelection>> instances_;  // as casters_
+  std::map<std::pair<const FittedView*, bool>, std::shared_ptr<const InstanceSelection>>
+      instances_;  // as casters_
   std::vector<Loop> loops_;
   Plan plan_;
 };

@@ -155,7 +155,8 @@ PreparedPass prepare_pass(const PassDeclaration& pass, const WritePlace& place, 
     const InstanceBuffers* instances = inputs.scene_buffers.instances();
     if (inputs.scene_buffers.cutouts() != nullptr) prepared.cutout_program = compile_for({true, false});
     if (instances != nullptr) prepared.instance_program = compile_for({false, true});
-    if (instances != nullptr && instances->has_holes()) prepared.instance_cutout_program = compile_for({true, true});
+    if (instances != nullptr && instances->has_holes())
+      prepared.instance_cutout_program = compile_for({true, true});
   }
   prepared.may_cull_casters = pass.kind == PassKind::scene && !prepared.program->names_primitive_id() &&
                               vertex.parent_path() == inputs.shaders_folder / "lib";

@@ -101,7 +101,8 @@ void GBufferRenderer::draw_triangles(const Scene& scene, const SceneBuffers& buf
   const InstanceBuffers* instances = buffers.instances();
   if (instances == nullptr) return;
   const glm::dmat4 clip = clip_from_world(scene.camera, target.width(), target.height());
-  const InstanceSelection seen = instances->select(instances_in_view(make_instance_boxes(scene), clip, false));
+  const InstanceSelection seen =
+      instances->select(instances_in_view(make_instance_boxes(scene), clip, false));
   visible_triangle(cutouts + kHasInstances)->use();
   instances->draw_pulled(seen);
 }
@@ -131,7 +132,8 @@ void GBufferRenderer::render(const Scene& scene, const SceneBuffers& buffers, co
   if (buffers.instances() == nullptr) {
     surface_->use();
   } else {
-    load(programs_, shaders_folder_ / "lib" / "fullscreen.vert", shaders_folder_ / "gbuffer" / "surface.frag", kHasInstances)
+    load(programs_, shaders_folder_ / "lib" / "fullscreen.vert", shaders_folder_ / "gbuffer" / "surface.frag",
+         kHasInstances)
         ->use();
   }
   draw_fullscreen(no_attributes_);

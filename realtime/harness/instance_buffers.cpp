@@ -44,7 +44,8 @@ VertexArray solid_array(const Buffer& positions, const Buffer& triangles) {
 }
 
 VertexArray cutout_array(const CutoutBuffers* cutouts) {
-  VertexArray array = cutouts == nullptr ? make_empty_vertex_array() : make_cutout_vertex_array(cutouts->vertices());
+  VertexArray array =
+      cutouts == nullptr ? make_empty_vertex_array() : make_cutout_vertex_array(cutouts->vertices());
   add_numbers(array);
   return array;
 }
@@ -73,8 +74,8 @@ InstanceBuffers::InstanceBuffers(const Scene& scene, const Buffer& positions, co
     const auto count = static_cast<uint32_t>(mesh->triangles.size());
     const auto instances = static_cast<uint32_t>(mesh->world_from_mesh.size());
     for (const glm::mat4x3& place : mesh->world_from_mesh) {
-      InstanceRecord& record =
-          records.emplace_back(InstanceRecord{{}, next_shown, next_triangle, mesh->first_cutout(), cutout_word(next_cutout)});
+      InstanceRecord& record = records.emplace_back(
+          InstanceRecord{{}, next_shown, next_triangle, mesh->first_cutout(), cutout_word(next_cutout)});
       set_rows(place, record);
       next_shown += count;
     }
@@ -97,7 +98,8 @@ InstanceSelection InstanceBuffers::select(std::span<const uint32_t> numbers) con
   for (const Mesh& mesh : meshes_) {
     const auto begin = std::ranges::lower_bound(numbers, mesh.first_instance);
     const auto end = std::ranges::lower_bound(numbers, mesh.first_instance + mesh.instances);
-    selection.runs.push_back({static_cast<GLuint>(begin - numbers.begin()), static_cast<GLsizei>(end - begin)});
+    selection.runs.push_back(
+        {static_cast<GLuint>(begin - numbers.begin()), static_cast<GLsizei>(end - begin)});
     selection.triangles += static_cast<uint64_t>(end - begin) * static_cast<uint64_t>(mesh.triangles);
   }
   return selection;
@@ -115,7 +117,8 @@ void InstanceBuffers::draw(const InstanceSelection& selection) const {
     const InstanceSelection::Run& run = selection.runs[i];
     if (run.count == 0 || mesh.solid == 0) continue;
     const auto* first = reinterpret_cast<const void*>(sizeof(glm::uvec3) * uintptr_t{mesh.first_triangle});
-    glDrawElementsInstancedBaseInstance(GL_TRIANGLES, 3 * mesh.solid, GL_UNSIGNED_INT, first, run.count, run.first);
+    glDrawElementsInstancedBaseInstance(GL_TRIANGLES, 3 * mesh.solid, GL_UNSIGNED_INT, first, run.count,
+                                        run.first);
   }
 }
 
@@ -126,8 +129,8 @@ void InstanceBuffers::draw_cutouts(const InstanceSelection& selection) const {
     const Mesh& mesh = meshes_[i];
     const InstanceSelection::Run& run = selection.runs[i];
     if (run.count == 0 || mesh.solid == mesh.triangles) continue;
-    glDrawArraysInstancedBaseInstance(GL_TRIANGLES, mesh.first_cutout_vertex, 3 * (mesh.triangles - mesh.solid), run.count,
-                                      run.first);
+    glDrawArraysInstancedBaseInstance(GL_TRIANGLES, mesh.first_cutout_vertex,
+                                      3 * (mesh.triangles - mesh.solid), run.count, run.first);
   }
 }
 

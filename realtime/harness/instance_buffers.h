@@ -34,7 +34,8 @@ class InstanceBuffers {
  public:
   /// `positions` and `triangles`: of SceneBuffers, which hold the meshes behind the scene's own. `cutouts` does, too; null
   /// where nothing has holes.
-  InstanceBuffers(const Scene& scene, const Buffer& positions, const Buffer& triangles, const CutoutBuffers* cutouts);
+  InstanceBuffers(const Scene& scene, const Buffer& positions, const Buffer& triangles,
+                  const CutoutBuffers* cutouts);
 
   InstanceSelection select(std::span<const uint32_t> numbers) const;
   const InstanceSelection& all() const { return all_; }

@@ -32,24 +32,27 @@ Buffer joined(const SharedList<T>& own, const Scene& scene, const OfMesh& of_mes
 }
 
 Buffer joined_positions(const Scene& scene) {
-  return joined(scene.positions_world, scene, [](const InstancedMesh& mesh) -> auto& { return mesh.positions; });
+  return joined(
+      scene.positions_world, scene, [](const InstancedMesh& mesh) -> auto& { return mesh.positions; });
 }
 
 Buffer joined_normals(const Scene& scene) {
   if (!has_shading_normals(scene)) return Buffer(sizeof(float), &kNoNormal);
-  return joined(scene.normals_world, scene, [](const InstancedMesh& mesh) -> auto& { return mesh.normals; });
+  return joined(
+      scene.normals_world, scene, [](const InstancedMesh& mesh) -> auto& { return mesh.normals; });
 }
 
 Buffer joined_triangles(const Scene& scene) {
   auto first_vertex = static_cast<uint32_t>(scene.positions_world.size());
   SharedList<glm::uvec3> shifted;
-  return joined(scene.triangles, scene, [&](const InstancedMesh& mesh) -> auto& {
-    std::vector<glm::uvec3> triangles(mesh.triangles.begin(), mesh.triangles.end());
-    for (glm::uvec3& t : triangles) t += first_vertex;
-    first_vertex += static_cast<uint32_t>(mesh.positions.size());
-    shifted = std::move(triangles);
-    return shifted;
-  });
+  return joined(
+      scene.triangles, scene, [&](const InstancedMesh& mesh) -> auto& {
+        std::vector<glm::uvec3> triangles(mesh.triangles.begin(), mesh.triangles.end());
+        for (glm::uvec3& t : triangles) t += first_vertex;
+        first_vertex += static_cast<uint32_t>(mesh.positions.size());
+        shifted = std::move(triangles);
+        return shifted;
+      });
 }
 
 }  // namespace
@@ -71,9 +74,9 @@ SceneBuffers::SceneBuffers(const Scene& scene)
       triangles_(joined_triangles(scene)),
       normals_(joined_normals(scene)),
       cutouts_(count_shown_cutouts(scene) == 0 ? nullptr : std::make_unique<const CutoutBuffers>(scene)),
-      instances_(scene.instanced.empty()
-                     ? nullptr
-                     : std::make_unique<const InstanceBuffers>(scene, positions_, triangles_, cutouts_.get())),
+      instances_(scene.instanced.empty() ? nullptr
+                                         : std::make_unique<const InstanceBuffers>(
+                                               scene, positions_, triangles_, cutouts_.get())),
       indexed_(make_indexed_vertex_array(positions_, triangles_)),
       pulled_(make_empty_vertex_array()),
       own_count_(scene.triangles.size()),

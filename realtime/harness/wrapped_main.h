@@ -8,7 +8,8 @@ namespace umbrameter {
 
 /// For the end of a prelude, once: the shader's main() runs under another name, after `before` and before `after`.
 inline std::string wrapped_main(const std::string& before, const std::string& after) {
-  return "#define main() main_of_pass(); void main() { " + before + " main_of_pass(); " + after + " } void main_of_pass()\n";
+  return "#define main() main_of_pass(); void main() { " + before + " main_of_pass(); " + after +
+         " } void main_of_pass()\n";
 }
 
 }  // namespace umbrameter

@@ -21,8 +21,8 @@ ClipPlanes clip_planes(const glm::dmat4& clip_from_world, bool clamps_depth);
 bool is_behind(const glm::dvec4& plane, const glm::vec3& min_world, const glm::vec3& max_world);
 
 inline bool is_clipped(const ClipPlanes& planes, const glm::vec3& min_world, const glm::vec3& max_world) {
-  return std::ranges::any_of(
-      planes, [&](const glm::dvec4& plane) { return is_behind(plane, min_world, max_world); });
+  return std::ranges::any_of(planes,
+                             [&](const glm::dvec4& plane) { return is_behind(plane, min_world, max_world); });
 }
 
 }  // namespace umbrameter

@@ -102,7 +102,8 @@ class AssimpReader {
       primitives_.push_back(read_mesh(*shown.mesh, *shown.node, shown.world_from_node));
       return;
     }
-    const bool is_known = std::ranges::any_of(repeated_, [&](const auto& one) { return one.first == shown.mesh; });
+    const bool is_known =
+        std::ranges::any_of(repeated_, [&](const auto& one) { return one.first == shown.mesh; });
     if (!is_known) repeated_.emplace_back(shown.mesh, read_mesh(*shown.mesh, *shown.node, glm::dmat4(1.0)));
   }
 

@@ -126,7 +126,8 @@ class GltfReader {
   void read_node(const Shown& shown) {
     if (!is_kept_once(triangles_in(shown), shown.places->world_from_mesh)) {
       for (const size_t i : shown.primitives)
-        primitives_.push_back(read_primitive(mesh_of(*shown.node).primitives[i], *shown.node, shown.node->world_from_node));
+        primitives_.push_back(
+            read_primitive(mesh_of(*shown.node).primitives[i], *shown.node, shown.node->world_from_node));
       return;
     }
     if (shown.places->is_read) return;
@@ -137,7 +138,8 @@ class GltfReader {
     places_of_repeated_.push_back(shown.places);
   }
 
-  Primitive read_primitive(const tinygltf::Primitive& source, const GltfNode& node, const glm::dmat4& world_from_mesh) {
+  Primitive read_primitive(const tinygltf::Primitive& source, const GltfNode& node,
+                           const glm::dmat4& world_from_mesh) {
     const std::string material = material_of(source), mesh = mesh_of(node).name;
     Primitive made;
     made.label = !material.empty() ? material : !mesh.empty() ? mesh : source_of(node).name;

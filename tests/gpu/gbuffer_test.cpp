@@ -106,7 +106,8 @@ Scene dust(size_t count) {
   for (size_t i = 0; i < count; ++i) {
     const glm::dvec3 middle = point();
     const auto first = static_cast<uint32_t>(scene.positions_world.size());
-    for (int corner = 0; corner < 3; ++corner) scene.positions_world.edit().emplace_back(middle + 0.03 * point());
+    for (int corner = 0; corner < 3; ++corner)
+      scene.positions_world.edit().emplace_back(middle + 0.03 * point());
     scene.triangles.edit().emplace_back(first, first + 1, first + 2);
   }
   scene.camera.eye_world = {0.2, 0.1, 5.0};

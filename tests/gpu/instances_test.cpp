@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Without these an instance could stand elsewhere in a map than in the picture, or be left out of one technique's maps.
 
+#include "scenes/instances.h"
 #include "core/progress.h"
 #include "metrics/parity.h"
 #include "realtime/realtime.h"
 #include "reference/reference.h"
-#include "scenes/instances.h"
 #include "tests/gpu/technique_fixture.h"
 #include "tests/support/instanced_scene.h"
 #include "tests/support/procedural_scene.h"
@@ -55,14 +55,15 @@ TEST(instances, are_the_same_surfaces_in_both_renderers) {
     const Scene scene = instanced_scene(trees_light(LightType::rect), options);
     const Frame drawn = render(scene, "hard", {}, 1, kWidth_px, kHeight_px);
     SilentProgress progress;
-    const Frame traced = make_reference_renderer(few_samples())
-                             ->render(scene, {kWidth_px, kHeight_px, 1, {}, {}}, progress);
+    const Frame traced =
+        make_reference_renderer(few_samples())->render(scene, {kWidth_px, kHeight_px, 1, {}, {}}, progress);
     const glm::dvec3& eye = scene.camera.eye_world;
     const double eye_world[3] = {eye.x, eye.y, eye.z};
     const Parity parity = compare_surfaces(drawn.image, traced.image, eye_world, {});
     EXPECT_GE(parity.agreement, 0.995) << options.is_smooth << options.has_leaves;
     EXPECT_GE(static_cast<double>(parity.same_primitive), 0.998 * static_cast<double>(parity.covered));
-    EXPECT_LE(share_apart(plane_of(drawn, "shading_normal.x"), plane_of(traced, "shading_normal.x"), 1e-3f), 0.002);
+    EXPECT_LE(share_apart(plane_of(drawn, "shading_normal.x"), plane_of(traced, "shading_normal.x"), 1e-3f),
+              0.002);
   }
 }
 
@@ -72,8 +73,9 @@ TEST(instances, have_the_gbuffer_of_their_flattened_twin) {
     const Scene scene = instanced_scene(trees_light(LightType::rect), options);
     const Frame own = render(scene, "hard", {}, 1, kWidth_px, kHeight_px);
     const Frame flat = render(flattened(scene), "hard", {}, 1, kWidth_px, kHeight_px);
-    for (const char* channel : {"position.x", "position.y", "position.z", "normal.x", "normal.y", "normal.z",
-                                "shading_normal.x", "shading_normal.y", "shading_normal.z", "unshadowed_irradiance"})
+    for (const char* channel :
+         {"position.x", "position.y", "position.z", "normal.x", "normal.y", "normal.z", "shading_normal.x",
+          "shading_normal.y", "shading_normal.z", "unshadowed_irradiance"})
       EXPECT_LE(share_apart(plane_of(own, channel), plane_of(flat, channel), 1e-4f), 0.002) << channel;
     if (options.has_leaves) continue;  // then they are numbered otherwise
     EXPECT_LE(share_apart(plane_of(own, "primitive_id"), plane_of(flat, "primitive_id"), 0.0f), 0.002);
@@ -93,7 +95,8 @@ TEST(every_technique, draws_instances_as_their_flattened_twin) {
       Scene without = scene;
       without.instanced.clear();
       without.hash.clear();
-      EXPECT_GT(mean_difference(a, plane_of(render(without, technique.id, quick(technique)), "visibility")), 0.02)
+      EXPECT_GT(mean_difference(a, plane_of(render(without, technique.id, quick(technique)), "visibility")),
+                0.02)
           << technique.id << ": trees have shadows";
     }
   }
@@ -120,7 +123,8 @@ Scene wide_forest(const Light& light) {
 
 TEST(instances, left_out_of_a_map_change_no_pixel_and_are_said) {
   UMBRAMETER_REQUIRE_GL();
-  const auto all = make_realtime_renderer({kRealtimeRoom / "techniques", kRealtimeRoom / "shaders", "", false});
+  const auto all =
+      make_realtime_renderer({kRealtimeRoom / "techniques", kRealtimeRoom / "shaders", "", false});
   for (const char* technique : {"hard", "pcss"}) {
     for (const LightType type : {LightType::rect, LightType::sun}) {
       const Scene scene = wide_forest(trees_light(type));
@@ -162,16 +166,20 @@ fragment = "show.frag"
 reads = ["map"]
 writes = ["visibility"]
 )");
-  folder.write("own.vert", "layout(location = 0) in vec4 p;\nvoid main() { gl_Position = VIEW.clip_from_light * (VIEW.light_from_world * p); }\n");
+  folder.write("own.vert",
+               "layout(location = 0) in vec4 p;\nvoid main() { gl_Position = VIEW.clip_from_light * "
+               "(VIEW.light_from_world * p); }\n");
   folder.write("show.frag", "void main() { out_visibility = texture(map, vec2(0.5)).x; }\n");
-  const auto renderer = make_realtime_renderer({folder.techniques_folder(), kRealtimeRoom / "shaders", "", true});
+  const auto renderer =
+      make_realtime_renderer({folder.techniques_folder(), kRealtimeRoom / "shaders", "", true});
   SilentProgress progress;
   const Scene scene = instanced_scene(trees_light(LightType::rect));
   try {
     renderer->render(scene, {32, 32, 1, "tried", {}}, progress);
     FAIL();
   } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("declares its position 0 times, and the scene has instances"), std::string::npos)
+    EXPECT_NE(std::string(error.what()).find("declares its position 0 times, and the scene has instances"),
+              std::string::npos)
         << error.what();
     EXPECT_NE(std::string(error.what()).find("own.vert"), std::string::npos);
   }

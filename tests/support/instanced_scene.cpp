@@ -23,12 +23,15 @@ void add_leaves(MeshData& mesh) {
   const auto base = static_cast<uint32_t>(mesh.positions.size());
   for (const glm::dvec2& p : {glm::dvec2(-0.7, 0.4), {0.7, 0.4}, {0.7, 1.6}, {-0.7, 1.6}})
     mesh.positions.emplace_back(p.x, p.y, 0.5 + 0.1 * (p.x + p.y));
-  if (!mesh.normals.empty()) mesh.normals.insert(mesh.normals.end(), 4, glm::normalize(glm::dvec3(-0.1, -0.1, 1)));
+  if (!mesh.normals.empty())
+    mesh.normals.insert(mesh.normals.end(), 4, glm::normalize(glm::dvec3(-0.1, -0.1, 1)));
   mesh.cutout_of_triangle.assign(mesh.triangles.size(), kSolid);
   for (uint32_t k = 0; k < 2; ++k) {
     mesh.triangles.emplace_back(base, base + 1 + k, base + 2 + k);
     mesh.cutout_of_triangle.push_back(k);
-    mesh.cutouts.push_back({{glm::vec2(0, 0), k == 0 ? glm::vec2(2, 0) : glm::vec2(2, 2), k == 0 ? glm::vec2(2, 2) : glm::vec2(0, 2)}, 0});
+    mesh.cutouts.push_back({{glm::vec2(0, 0), k == 0 ? glm::vec2(2, 0) : glm::vec2(2, 2),
+                             k == 0 ? glm::vec2(2, 2) : glm::vec2(0, 2)},
+                            0});
   }
   mesh.masks.push_back(pattern_mask({"#.#.", "....", ".##.", "#..."}));
 }

@@ -3,6 +3,7 @@
 #include "scenes/instances.h"
 
 #include "core/files.h"
+#include "scene_text.h"
 #include "scenes/check_scene.h"
 #include "scenes/choose_light.h"
 #include "scenes/export_scene.h"
@@ -12,7 +13,6 @@
 #include "scenes/scene_hash.h"
 #include "scenes/seen_from.h"
 #include "scenes/shapes.h"
-#include "scene_text.h"
 #include "tests/support/instanced_scene.h"
 #include "tests/support/procedural_scene.h"
 #include "tests/support/temporary_folder.h"
@@ -91,14 +91,17 @@ TEST(Instances, FlattenedStandWhereTheyDid) {
       const glm::uvec3& t = flat.triangles[instance.first_shown + 5];
       const auto corners = instance.corners_world(5);
       EXPECT_LT(glm::distance(corners[1], glm::dvec3(flat.positions_world[t.y])), 1e-6);
-      EXPECT_LT(glm::distance(instance.n_world(instance.mesh->triangles[5].z), glm::dvec3(flat.normals_world[t.z])), 1e-6);
+      EXPECT_LT(
+          glm::distance(instance.n_world(instance.mesh->triangles[5].z), glm::dvec3(flat.normals_world[t.z])),
+          1e-6);
     }
   }
 }
 
 TEST(Instances, ThatMirrorOrStretchFaceOutwards) {
-  for (const glm::dmat4& place : {at(3), glm::scale(at(3), glm::dvec3(-1, 1, 1)), glm::scale(at(3), glm::dvec3(2, -0.3, 1)),
-                                  glm::scale(at(3), glm::dvec3(-1, -1, -2))}) {
+  for (const glm::dmat4& place :
+       {at(3), glm::scale(at(3), glm::dvec3(-1, 1, 1)), glm::scale(at(3), glm::dvec3(2, -0.3, 1)),
+        glm::scale(at(3), glm::dvec3(-1, -1, -2))}) {
     const Scene flat = flattened(boxes_at({at(0), place}));
     double volume = 0.0;  // six times
     for (const glm::uvec3& t : flat.triangles) {
@@ -126,7 +129,10 @@ TEST(Instances, AreCleanedAsOtherMeshesAre) {
 }
 
 TEST(Instances, TooFarAwayAreRefused) {
-  EXPECT_THAT(message_of([] { boxes_at({at(0), at(1e9)}); }), HasSubstr("an instance of mesh 'box' has a vertex at"));
+  EXPECT_THAT(message_of([] {
+                boxes_at({at(0), at(1e9)});
+              }),
+              HasSubstr("an instance of mesh 'box' has a vertex at"));
 }
 
 TEST(Instances, RuleByCopiedTrianglesAndFlatPlaces) {
@@ -200,7 +206,9 @@ class RepeatedGltf : public testing::Test {
  protected:
   Scene load(int n, const Json& nodes) const {
     std::string bytes;
-    const auto add = [&bytes](auto value) { bytes.append(reinterpret_cast<const char*>(&value), sizeof value); };
+    const auto add = [&bytes](auto value) {
+      bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+    };
     for (int y = 0; y <= n; ++y) {
       for (int x = 0; x <= n; ++x) {
         add(static_cast<float>(x) / static_cast<float>(n));
@@ -212,8 +220,8 @@ class RepeatedGltf : public testing::Test {
     const auto vertex = [n](int x, int y) { return static_cast<uint32_t>(y * (n + 1) + x); };
     for (int y = 0; y < n; ++y) {
       for (int x = 0; x < n; ++x) {
-        for (const uint32_t v : {vertex(x, y), vertex(x + 1, y), vertex(x + 1, y + 1), vertex(x, y), vertex(x + 1, y + 1),
-                                 vertex(x, y + 1)})
+        for (const uint32_t v : {vertex(x, y), vertex(x + 1, y), vertex(x + 1, y + 1), vertex(x, y),
+                                 vertex(x + 1, y + 1), vertex(x, y + 1)})
           add(v);
       }
     }
@@ -221,10 +229,12 @@ class RepeatedGltf : public testing::Test {
       "meshes": [{"name": "grid", "primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}]})");
     json["nodes"] = nodes;
     for (size_t i = 0; i < nodes.size(); ++i) json["scenes"][0]["nodes"].push_back(i);
-    json["accessors"] = {{{"bufferView", 0}, {"componentType", 5126}, {"count", (n + 1) * (n + 1)}, {"type", "VEC3"}},
-                         {{"bufferView", 1}, {"componentType", 5125}, {"count", 6 * n * n}, {"type", "SCALAR"}}};
-    json["bufferViews"] = {{{"buffer", 0}, {"byteOffset", 0}, {"byteLength", positions}},
-                           {{"buffer", 0}, {"byteOffset", positions}, {"byteLength", bytes.size() - positions}}};
+    json["accessors"] = {
+        {{"bufferView", 0}, {"componentType", 5126}, {"count", (n + 1) * (n + 1)}, {"type", "VEC3"}},
+        {{"bufferView", 1}, {"componentType", 5125}, {"count", 6 * n * n}, {"type", "SCALAR"}}};
+    json["bufferViews"] = {
+        {{"buffer", 0}, {"byteOffset", 0}, {"byteLength", positions}},
+        {{"buffer", 0}, {"byteOffset", positions}, {"byteLength", bytes.size() - positions}}};
     json["buffers"] = {{{"byteLength", bytes.size()}, {"uri", "grid.bin"}}};
     write_file_atomically(folder_.path() / "grid.bin", bytes);
     write_file_atomically(folder_.path() / "grid.gltf", json.dump());
@@ -237,7 +247,8 @@ class RepeatedGltf : public testing::Test {
 };
 
 TEST_F(RepeatedGltf, KeepsAMeshOnceThatManyNodesShow) {
-  const Json nodes = Json::parse(R"([{"name": "a", "mesh": 0}, {"name": "b", "mesh": 0, "translation": [3, 0, 0]},
+  const Json nodes =
+      Json::parse(R"([{"name": "a", "mesh": 0}, {"name": "b", "mesh": 0, "translation": [3, 0, 0]},
       {"name": "c", "mesh": 0, "translation": [6, 0, 0], "scale": [1, -2, 1]}])");
   const Scene large = load(160, nodes);
   ASSERT_EQ(large.instanced.size(), 2u);
@@ -257,8 +268,11 @@ TEST_F(RepeatedGltf, KeepsAMeshOnceThatManyNodesShow) {
 TEST_F(RepeatedGltf, StandsInSeveralPlacesOfASceneFile) {
   const Json one = Json::parse(R"([{"name": "a", "mesh": 0}])");
   load(250, one);
-  const std::string head = "[camera]\neye = [0, 3, 9]\nat = [0, 0, 0]\n[[light]]\ntype = \"sun\"\nangular_diameter_deg = 1\ndirection = [0, -1, 0.1]\n";
-  const std::string first = "[[mesh]]\nfile = \"grid.gltf\"\n", second = first + "translate = [4, 0, 0]\nup = \"z\"\n";
+  const std::string head =
+      "[camera]\neye = [0, 3, 9]\nat = [0, 0, 0]\n[[light]]\ntype = \"sun\"\nangular_diameter_deg = "
+      "1\ndirection = [0, -1, 0.1]\n";
+  const std::string first = "[[mesh]]\nfile = \"grid.gltf\"\n",
+                    second = first + "translate = [4, 0, 0]\nup = \"z\"\n";
   const Scene scene = parse_scene(head + first + second, folder() / "x.toml", {});
   ASSERT_EQ(scene.instanced.size(), 1u);
   EXPECT_EQ(scene.instanced[0]->world_from_mesh.size(), 2u);
