@@ -57,7 +57,7 @@ double primary_seconds(const EmbreeScene& embree, const Scene& scene, const Imag
   }
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  context.flags = embree.primary_flags();
   return best_of([&] {
     for (PrimaryPacket& packet : packets) {
       std::fill_n(packet.rays.ray.tfar, 16, std::numeric_limits<float>::infinity());

@@ -159,6 +159,10 @@ void raw_packets(benchmark::State& state) {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   context.flags = static_cast<RTCIntersectContextFlags>(state.range(0));
+  if (state.range(0) != 0 && !work().scene.instanced.empty()) {
+    state.SkipWithError("Embree 3.13.5 does not come back from coherent packets among instances");
+    return;
+  }
   for (auto _ : state) {
     for (Recorded<Width>& packet : packets) {
       std::copy_n(packet.end.data(), Width, packet.ray.tfar);
@@ -249,8 +253,8 @@ void print_scaling() {
 }
 
 template <class T>
-uint64_t bytes_of(const std::vector<T>& items) {
-  return items.capacity() * sizeof(T);
+uint64_t bytes_of(const SharedList<T>& items) {
+  return items.size() * sizeof(T);
 }
 
 /// What the reference builds, and holds while it renders, over what Embree alone does.

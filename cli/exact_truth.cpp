@@ -38,7 +38,7 @@ TruthOracle exact_truth(const ExactOracle& oracle) {
   return [oracle](const Scene& scene,
                   std::span<const ReceiverPoint> points) -> std::optional<std::vector<double>> {
     if (scene.light().type != LightType::rect || scene.triangles.size() > kMostTriangles) return std::nullopt;
-    if (!scene.cutouts.empty()) return std::nullopt;
+    if (!scene.cutouts.empty() || !scene.instanced.empty()) return std::nullopt;
     const double slack_world = kCoplanar * largest_coordinate(scene);
     const double view_world = glm::distance(scene.camera.eye_world, scene.camera.at_world);
     if (slack_world > kCoarse * std::min(view_world, scene.bounds_world.diagonal())) return std::nullopt;

@@ -9,6 +9,7 @@
 #include "cli/scene_import.h"
 #include "cli/scene_show.h"
 #include "scenes/check_scene.h"
+#include "scenes/instances.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -57,7 +58,7 @@ int check_scenes(const std::vector<std::string>& names, const GlobalOptions& glo
     const std::string own_name = scene_name(file, search);
     const glm::dvec3 size_world = scene.bounds_world.max - scene.bounds_world.min;
     text += fmt::format("{}: fine; {} triangles, {:.4g} x {:.4g} x {:.4g}, {}, hash {}\n", own_name,
-                        scene.triangles.size(), size_world.x, size_world.y, size_world.z,
+                        count_shown_triangles(scene), size_world.x, size_world.y, size_world.z,
                         describe(scene.lights), scene.hash);
     std::vector<std::string> warnings = scene.warnings;
     for (std::string& found : check_scene(scene)) warnings.push_back(std::move(found));
@@ -68,7 +69,7 @@ int check_scenes(const std::vector<std::string>& names, const GlobalOptions& glo
     scenes.push_back({{"name", own_name},
                       {"title", scene.title},
                       {"hash", scene.hash},
-                      {"triangles", scene.triangles.size()},
+                      {"triangles", count_shown_triangles(scene)},
                       {"lights", lights},
                       {"warnings", warnings}});
   }
@@ -103,7 +104,7 @@ int plan(const std::vector<std::string>& names, const QualityOptions& options, c
     OrderedJson skips = OrderedJson::array();
     text += fmt::format(
         "{}: {} x {} px, {} triangles, {} light '{}'; reference at most {:.1f} million shadow rays\n",
-        job.name, quality.picture.width_px, quality.picture.height_px, job.scene.triangles.size(),
+        job.name, quality.picture.width_px, quality.picture.height_px, count_shown_triangles(job.scene),
         to_text(job.scene.light().type), job.scene.light().name,
         static_cast<double>(most_shadow_rays) * 1e-6);
     for (const TechniqueRun& run : techniques) {

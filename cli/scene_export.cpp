@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "scenes/export_scene.h"
+#include "scenes/instances.h"
 
 #include <fmt/format.h>
 
@@ -15,9 +16,9 @@ int export_scene(const std::string& name, const QualityOptions& size, const Glob
   if (global.out.empty()) fail_input("there is no place to export to", {}, "give --out FOLDER");
   const Quality quality = choose_quality(size);
   const SceneJob job = load_scene_job(name, scene_search(global, find_home()));
-  if (const size_t holes = job.scene.cutouts.size(); holes > 0)
+  if (const uint64_t holes = count_shown_cutouts(job.scene); holes > 0)
     print_warning(fmt::format("{} of {} triangles have holes, which scene.obj does not", holes,
-                              job.scene.triangles.size()));
+                              count_shown_triangles(job.scene)));
   const std::filesystem::path folder = global.out;
   create_folder(folder);
   const PictureQuality& picture = quality.picture;
@@ -28,7 +29,7 @@ int export_scene(const std::string& name, const QualityOptions& size, const Glob
     print_answer(json);
   } else {
     print_answer(fmt::format("{}: {} triangles in scene.obj, camera and light in scene.json\n",
-                             folder.string(), job.scene.triangles.size()));
+                             folder.string(), count_shown_triangles(job.scene)));
   }
   return kExitFine;
 }

@@ -6,6 +6,7 @@
 #include "core/files.h"
 #include "scenes/gltf/gltf_model.h"
 #include "scenes/gltf/import_gltf.h"
+#include "scenes/instances.h"
 #include "scenes/load_scene.h"
 
 #include <fmt/format.h>
@@ -30,10 +31,11 @@ int import_scene(const std::string& name, const GlobalOptions& global) {
     for (const std::string& warning : *warnings) print_warning(warning);
   }
   if (global.json) {
-    print_json(
-        {{"file", target.string()}, {"triangles", scene.triangles.size()}, {"lights", scene.lights.size()}});
+    print_json({{"file", target.string()},
+                {"triangles", count_shown_triangles(scene)},
+                {"lights", scene.lights.size()}});
   } else {
-    print_answer(fmt::format("{}: {} triangles, {} light{}\n", target.string(), scene.triangles.size(),
+    print_answer(fmt::format("{}: {} triangles, {} light{}\n", target.string(), count_shown_triangles(scene),
                              scene.lights.size(), scene.lights.size() == 1 ? "" : "s"));
   }
   return kExitFine;

@@ -10,6 +10,7 @@
 #include "lab/validation_memory.h"
 #include "results/guard.h"
 #include "results/savings.h"
+#include "scenes/instances.h"
 
 #include <fmt/format.h>
 
@@ -27,7 +28,7 @@ SceneResult describe(const SceneJob& job) {
   result.hash = scene.hash;
   result.light_name = scene.light().name;
   result.light_type = to_text(scene.light().type);
-  result.triangles = scene.triangles.size();
+  result.triangles = count_shown_triangles(scene);
   result.warnings = scene.warnings;
   return result;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "python/bindings.h"
 #include "scenes/choose_light.h"
+#include "scenes/instances.h"
 #include "scenes/load_scene.h"
 
 #include <fmt/ranges.h>
@@ -11,7 +12,7 @@ namespace umbrameter::python {
 namespace {
 
 template <class Vector>
-py::array rows_of_three(const py::object& owner, const std::vector<Vector>& rows) {
+py::array rows_of_three(const py::object& owner, const SharedList<Vector>& rows) {
   using Number = typename Vector::value_type;
   py::array view(py::dtype::of<Number>(), {rows.size(), size_t{3}}, {},
                  reinterpret_cast<const Number*>(rows.data()), owner);
@@ -67,6 +68,7 @@ void add_scenes(py::module_& module) {
       .def_property_readonly("light_type",
                              [](const Scene& scene) { return std::string(to_text(scene.light().type)); })
       .def_property_readonly("eye_world", [](const Scene& scene) { return three(scene.camera.eye_world); })
+      .def_property_readonly("instance_count", [](const Scene& scene) { return list_instances(scene).size(); })
       .def_property_readonly("positions_world",
                              [](const py::object& self) {
                                return rows_of_three(self, self.cast<const Scene&>().positions_world);

@@ -37,11 +37,18 @@ constexpr size_t kPictureBytesPerPixel = 112;         // 60 of textures, 52 of p
 struct SceneOnGpu {
   SceneBuffers buffers;
   std::vector<CasterCluster> casters;  // none where culling is off
+  std::vector<InstanceBox> instance_boxes;
 };
 
 size_t gpu_bytes(const Scene& scene) {
-  return (scene.positions_world.size() + scene.normals_world.size()) * sizeof(glm::vec3) +
-         scene.triangles.size() * sizeof(glm::uvec3);
+  size_t vertices = scene.positions_world.size() + scene.normals_world.size();
+  size_t triangles = scene.triangles.size(), instances = 0;
+  for (const auto& mesh : scene.instanced) {
+    vertices += mesh->positions.size() + mesh->normals.size();
+    triangles += mesh->triangles.size();
+    instances += mesh->world_from_mesh.size();
+  }
+  return vertices * sizeof(glm::vec3) + triangles * sizeof(glm::uvec3) + instances * kInstanceBytes;
 }
 
 /// A G-buffer with its readback and what follows from it.
@@ -185,9 +192,11 @@ class GlRenderer final : public Renderer {
     const std::string key = geometry_key(scene);
     if (auto known = scenes_.find(key)) return known;
     scenes_.make_room(gpu_bytes(scene));
-    auto made = std::make_shared<const SceneOnGpu>(SceneOnGpu{
-        SceneBuffers(scene), settings_.cull_casters && scene.cutouts.empty() ? make_caster_clusters(scene)
-                                                                             : std::vector<CasterCluster>{}});
+    auto made = std::make_shared<const SceneOnGpu>(
+        SceneOnGpu{SceneBuffers(scene),
+                   settings_.cull_casters && scene.cutouts.empty() ? make_caster_clusters(scene)
+                                                                   : std::vector<CasterCluster>{},
+                   settings_.cull_casters ? make_instance_boxes(scene) : std::vector<InstanceBox>{}});
     scenes_.keep(key, made, gpu_bytes(scene));
     return made;
   }
@@ -230,6 +239,7 @@ class GlRenderer final : public Renderer {
                            picture.gbuffer,
                            picture.receivers,
                            run->scene->casters,
+                           run->scene->instance_boxes,
                            picture.image,
                            picture.receiver_range,
                            picture.receiver_plane_world,

@@ -22,6 +22,7 @@ std::string geometry_key(const Scene& scene) {
   hasher.values(std::span<const glm::vec3>(scene.normals_world));
   hasher.values(std::span<const glm::uvec3>(scene.triangles));
   hash_cutouts(hasher, scene);
+  hash_instances(hasher, scene);
   return hasher.hex();
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/error.h"
 #include "reference/interval.h"
+#include "scenes/instances.h"
 
 #include <glm/geometric.hpp>
 
@@ -96,9 +97,10 @@ std::vector<size_t> draw_check_pixels(const Image& pilot, size_t count, uint64_t
 }
 
 void require_exact(const Scene& scene) {
-  if (scene.cutouts.empty()) return;
-  fail_input(fmt::format("the exact check cannot see holes, which {} of {} triangles have",
-                         scene.cutouts.size(), scene.triangles.size()),
+  const uint64_t holes = count_shown_cutouts(scene);
+  if (holes == 0) return;
+  fail_input(fmt::format("the exact check cannot see holes, which {} of {} triangles have", holes,
+                         count_shown_triangles(scene)),
              scene.source);
 }
 
@@ -106,6 +108,8 @@ std::vector<CheckedPoint> check_pixels(const Scene& scene, const Image& referenc
                                        std::span<const size_t> pixels, const ExactOracle& oracle, int threads,
                                        Progress& progress) {
   require_exact(scene);
+  if (!scene.instanced.empty())
+    return check_pixels(flattened(scene), reference, pixels, oracle, threads, progress);
   constexpr double kLift = 1e-12;
   const double lift_world = kLift * extent_world(scene);
   std::vector<ExactReceiver> receivers;

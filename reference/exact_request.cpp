@@ -22,7 +22,7 @@ class Writer {
     stream_.write(reinterpret_cast<const char*>(&value), sizeof value);
   }
   template <class T>
-  void put_all(const std::vector<T>& values) {
+  void put_all(std::span<const T> values) {
     static_assert(std::is_trivially_copyable_v<T>);
     put(uint64_t{values.size()});
     stream_.write(reinterpret_cast<const char*>(values.data()),
@@ -94,7 +94,8 @@ void require_indices(const ExactRequest& request, const Reader& reader) {
 
 void write_exact_request(const std::filesystem::path& file, const Scene& scene,
                          std::span<const ExactReceiver> receivers, int threads) {
-  UMBRAMETER_ASSERT(scene.cutouts.empty(), "the exact oracle knows no holes");
+  UMBRAMETER_ASSERT(scene.cutouts.empty() && scene.instanced.empty(),
+                    "the exact oracle knows neither holes nor instances");
   std::ofstream stream(file, std::ios::binary);
   Writer writer(stream);
   writer.put(kFormat);
@@ -107,13 +108,13 @@ void write_exact_request(const std::filesystem::path& file, const Scene& scene,
   writer.put(light.size_world);
   writer.put(light.radius_world);
   writer.put(light.half_angle_rad);
-  writer.put_all(scene.positions_world);
-  writer.put_all(scene.triangles);
+  writer.put_all(std::span(scene.positions_world));
+  writer.put_all(std::span(scene.triangles));
   writer.put(uint64_t{receivers.size()});
   for (const ExactReceiver& receiver : receivers) {
     for (const glm::dvec3& v : {receiver.p_world, receiver.n_geometric_world, receiver.n_shading_world})
       writer.put(v);
-    writer.put_all(receiver.transparent);
+    writer.put_all(std::span(receiver.transparent));
   }
   stream.close();
   if (!stream) fail_environment(fmt::format("'{}' cannot be written", file.string()));

@@ -65,6 +65,7 @@ bool add_shaft(LightShafts& shafts, uint32_t i, const ShaftPixel& pixel) {
 }
 
 struct Walk {
+  const OccluderTree& tree;
   const Scene& scene;
   const LightShafts& shafts;
   uint32_t first_cutout;
@@ -76,6 +77,11 @@ struct Walk {
 
 UMBRAMETER_LANES void meet_leaf(Walk& walk, const OccluderLeaf& leaf) {
   for (uint32_t k = 0; k < leaf.triangle_count; ++k) {
+    if (const OccluderBox* box = walk.tree.instance_box(leaf.triangles[k])) {
+      const LaneMask meets = meets_box(walk.shafts, *box);
+      for (uint32_t i = 0; i < kShafts; ++i) walk.lit[i] &= ~meets[i];
+      continue;
+    }
     const glm::uvec3 index = walk.scene.triangles[leaf.triangles[k]];
     const auto& positions = walk.scene.positions_world;
     const LaneTriangle triangle =
@@ -156,7 +162,7 @@ std::array<LightProof, kShafts> prove_light(const OccluderTree& tree, const Scen
   std::array<LightProof, kShafts> proofs{};
   LightShafts shafts{};
   shafts.extent = static_cast<float>(scene_extent_world);
-  Walk walk{scene, shafts, scene.first_cutout()};
+  Walk walk{tree, scene, shafts, scene.first_cutout()};
   bool any_shaft = false;
   for (uint32_t i = 0; i < pixels.size(); ++i) {
     if (is_below_horizon(pixels[i].patch)) {

@@ -2,6 +2,7 @@
 #include "reference/occluder_tree.h"
 
 #include "core/error.h"
+#include "scenes/instances.h"
 
 #include <glm/common.hpp>
 
@@ -25,6 +26,21 @@ RTCBuildPrimitive primitive_of(const Scene& scene, uint32_t triangle) {
   const glm::vec3 low = glm::min(a, glm::min(b, c));
   const glm::vec3 high = glm::max(a, glm::max(b, c));
   return {low.x, low.y, low.z, 0, high.x, high.y, high.z, triangle};
+}
+
+OccluderBox box_of(const Instance& instance) {
+  const Bounds3 bounds = instance.bounds_world();
+  OccluderBox box;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto k = static_cast<size_t>(axis);
+    box.min[k] = static_cast<float>(bounds.min[axis]);
+    box.max[k] = static_cast<float>(bounds.max[axis]);
+  }
+  return box;
+}
+
+RTCBuildPrimitive primitive_of(const OccluderBox& box, uint32_t entry) {
+  return {box.min[0], box.min[1], box.min[2], 0, box.max[0], box.max[1], box.max[2], entry};
 }
 
 void* create_inner(RTCThreadLocalAllocator allocator, unsigned int, void*) {
@@ -59,13 +75,18 @@ void* create_leaf(RTCThreadLocalAllocator allocator, const RTCBuildPrimitive* pr
 void OccluderTree::clear() {
   root_ = nullptr;
   bvh_.reset();
+  instance_boxes_.clear();
 }
 
 void OccluderTree::build(const EmbreeScene& embree, const Scene& scene) {
   clear();
-  if (scene.triangles.empty()) return;
-  std::vector<RTCBuildPrimitive> primitives(scene.triangles.size());
-  for (uint32_t i = 0; i < primitives.size(); ++i) primitives[i] = primitive_of(scene, i);
+  triangle_count_ = static_cast<uint32_t>(scene.triangles.size());
+  for (const Instance& instance : list_instances(scene)) instance_boxes_.push_back(box_of(instance));
+  std::vector<RTCBuildPrimitive> primitives(triangle_count_ + instance_boxes_.size());
+  if (primitives.empty()) return;
+  for (uint32_t i = 0; i < triangle_count_; ++i) primitives[i] = primitive_of(scene, i);
+  for (uint32_t i = triangle_count_; i < primitives.size(); ++i)
+    primitives[i] = primitive_of(instance_boxes_[i - triangle_count_], i);
   bvh_.reset(rtcNewBVH(embree.device()));
   RTCBuildArguments arguments = rtcDefaultBuildArguments();
   arguments.bvh = bvh_.get();

@@ -4,9 +4,11 @@
 
 #include "reference/embree_scene.h"
 #include "reference/light_patch.h"
+#include "scenes/instances.h"
 
 #include <array>
 #include <optional>
+#include <vector>
 
 namespace umbrameter {
 
@@ -14,7 +16,7 @@ namespace umbrameter {
 inline constexpr int kBlock = 4;
 
 struct PrimaryHit {
-  uint32_t primitive = 0;
+  uint32_t primitive = 0;  // primitive_id: shown_id() of the triangle
   /// Its shadow rays start just above the surface, as near as rounding allows: high enough that Embree cannot place the
   /// triangle in front of a ray that leaves it. On the way to the light's centre where that rises well over the surface,
   /// else on the normal.
@@ -35,6 +37,7 @@ class PrimaryCamera {
 
  private:
   const Scene& scene_;
+  std::vector<Instance> instances_;
   int width_px_;
   int height_px_;
   // The direction that advances 1 along the view axis, through the picture's corner and per pixel.

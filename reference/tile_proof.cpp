@@ -109,20 +109,23 @@ class TileShaft {
   std::vector<Side> sides_;
 };
 
-bool meets_any(const TileShaft& shaft, const Scene& scene, const OccluderLeaf& leaf) {
+bool meets_any(const TileShaft& shaft, const OccluderTree& tree, const Scene& scene,
+               const OccluderLeaf& leaf) {
   const auto corner = [&](uint32_t vertex) { return glm::dvec3(scene.positions_world[vertex]); };
   return std::any_of(leaf.triangles.begin(), leaf.triangles.begin() + leaf.triangle_count,
                      [&](uint32_t triangle) {
+                       if (const OccluderBox* box = tree.instance_box(triangle)) return shaft.meets(*box);
                        const glm::uvec3 index = scene.triangles[triangle];
                        return shaft.meets(corner(index.x), corner(index.y), corner(index.z));
                      });
 }
 
-bool meets_any(const TileShaft& shaft, const Scene& scene, const OccluderNode* node) {
-  if (node->triangle_count > 0) return meets_any(shaft, scene, *static_cast<const OccluderLeaf*>(node));
+bool meets_any(const TileShaft& shaft, const OccluderTree& tree, const Scene& scene,
+               const OccluderNode* node) {
+  if (node->triangle_count > 0) return meets_any(shaft, tree, scene, *static_cast<const OccluderLeaf*>(node));
   const auto& inner = *static_cast<const OccluderInner*>(node);
   for (uint32_t k = 0; k < inner.child_count; ++k) {
-    if (shaft.meets(inner.boxes[k]) && meets_any(shaft, scene, inner.children[k])) return true;
+    if (shaft.meets(inner.boxes[k]) && meets_any(shaft, tree, scene, inner.children[k])) return true;
   }
   return false;
 }
@@ -134,7 +137,7 @@ bool proves_all_lit(const OccluderTree& tree, const Scene& scene, double scene_e
   if (pixels.empty()) return true;
   const TileShaft shaft(scene_extent_world, pixels);
   if (!shaft.is_possible()) return false;
-  return tree.root() == nullptr || !meets_any(shaft, scene, tree.root());
+  return tree.root() == nullptr || !meets_any(shaft, tree, scene, tree.root());
 }
 
 }  // namespace umbrameter

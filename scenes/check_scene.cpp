@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scenes/check_scene.h"
 
+#include "scenes/instances.h"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 #include <glm/vector_relational.hpp>
 
@@ -21,9 +24,17 @@ constexpr double kNearestTarget_world = 0.02;
 constexpr size_t kEdgesPerHoleEdge = 10;  // with more holes than that a part is a sheet, and meant to be
 
 bool is_behind(const Scene& scene, const Light& light) {
-  return std::all_of(scene.positions_world.begin(), scene.positions_world.end(), [&](const glm::vec3& p) {
-    return glm::dot(dvec3(p) - light.center_world, light.direction_world) <= 0.0;
-  });
+  const auto lies_behind = [&](const dvec3& p) {
+    return glm::dot(p - light.center_world, light.direction_world) <= 0.0;
+  };
+  const auto all_behind = [&](const Instance& instance) {
+    for (uint32_t v = 0; v < instance.mesh->positions.size(); ++v) {
+      if (!lies_behind(instance.p_world(v))) return false;
+    }
+    return true;
+  };
+  return std::ranges::all_of(scene.positions_world, [&](const glm::vec3& p) { return lies_behind(p); }) &&
+         std::ranges::all_of(list_instances(scene), all_behind);
 }
 
 void check_lights(const Scene& scene, std::vector<std::string>& found) {
@@ -70,13 +81,24 @@ std::vector<dvec3> clipped(const std::vector<dvec3>& polygon, const Side& side) 
 
 bool sees_anything(const Scene& scene) {
   const std::array<Side, 5> sides = sides_of(scene.camera);
-  return std::any_of(scene.triangles.begin(), scene.triangles.end(), [&](const glm::uvec3& triangle) {
+  const auto is_seen = [&](const std::array<dvec3, 3>& corners) {
     std::vector<dvec3> polygon;
-    for (int c = 0; c < 3; ++c)
-      polygon.push_back(dvec3(scene.positions_world[triangle[c]]) - scene.camera.eye_world);
+    for (const dvec3& p : corners) polygon.push_back(p - scene.camera.eye_world);
     for (const Side& side : sides) polygon = clipped(polygon, side);
     return !polygon.empty();
-  });
+  };
+  const auto shows_any = [&](const Instance& instance) {
+    for (uint32_t t = 0; t < instance.mesh->triangles.size(); ++t) {
+      if (is_seen(instance.corners_world(t))) return true;
+    }
+    return false;
+  };
+  const auto& p = scene.positions_world;
+  return std::ranges::any_of(scene.triangles,
+                             [&](const glm::uvec3& t) {
+                               return is_seen({p[t.x], p[t.y], p[t.z]});
+                             }) ||
+         std::ranges::any_of(list_instances(scene), shows_any);
 }
 
 void check_camera(const Scene& scene, std::vector<std::string>& found) {
@@ -167,6 +189,17 @@ void check_part(const Scene& scene, const MeshPart& part, std::vector<std::strin
   }
 }
 
+/// The mesh itself, as its first instance stands to the camera: no instance turns it inside out or opens it.
+void check_instanced(const Scene& scene, const InstancedMesh& mesh, std::vector<std::string>& found) {
+  const glm::mat4x3& place = mesh.world_from_mesh.front();
+  Scene alone;
+  alone.positions_world = mesh.positions;
+  alone.triangles = mesh.triangles;
+  alone.camera.eye_world =
+      glm::inverse(glm::dmat3(place[0], place[1], place[2])) * (scene.camera.eye_world - dvec3(place[3]));
+  for (const MeshPart& part : mesh.parts) check_part(alone, part, found);
+}
+
 }  // namespace
 
 std::vector<std::string> check_scene(const Scene& scene) {
@@ -174,6 +207,7 @@ std::vector<std::string> check_scene(const Scene& scene) {
   check_lights(scene, found);
   check_camera(scene, found);
   for (const MeshPart& part : scene.parts) check_part(scene, part, found);
+  for (const auto& mesh : scene.instanced) check_instanced(scene, *mesh, found);
   return found;
 }
 

@@ -6,13 +6,14 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <span>
 #include <tuple>
 
 namespace umbrameter {
 namespace {
 
 /// The smallest index of a vertex with the same position, for each vertex.
-std::vector<uint32_t> merge_equal_positions(const std::vector<glm::vec3>& positions) {
+std::vector<uint32_t> merge_equal_positions(std::span<const glm::vec3> positions) {
   std::vector<uint32_t> order(positions.size());
   std::iota(order.begin(), order.end(), 0u);
   const auto key = [&](uint32_t i) { return std::tie(positions[i].x, positions[i].y, positions[i].z); };
@@ -33,7 +34,7 @@ bool has_area(const Scene& scene, const glm::uvec3& triangle) {
   return glm::cross(b - a, c - a) != glm::dvec3(0.0);
 }
 
-void mark_duplicates(const std::vector<glm::uvec3>& triangles, const std::vector<uint32_t>& vertex,
+void mark_duplicates(std::span<const glm::uvec3> triangles, const std::vector<uint32_t>& vertex,
                      std::vector<TriangleFault>& faults) {
   std::vector<std::array<uint32_t, 4>> keys;  // three positions in order, triangle
   keys.reserve(triangles.size());
@@ -56,15 +57,19 @@ void remove_unused_vertices(Scene& scene) {
   std::vector<uint32_t> renumbered(scene.positions_world.size(), kUnused);
   for (const glm::uvec3& t : scene.triangles) renumbered[t.x] = renumbered[t.y] = renumbered[t.z] = 0;
   uint32_t next = 0;
+  std::vector<glm::vec3>& positions = scene.positions_world.edit();
+  std::vector<glm::vec3>& normals = scene.normals_world.edit();
   for (size_t i = 0; i < renumbered.size(); ++i) {
     if (renumbered[i] == kUnused) continue;
-    scene.positions_world[next] = scene.positions_world[i];
-    if (!scene.normals_world.empty()) scene.normals_world[next] = scene.normals_world[i];
+    positions[next] = positions[i];
+    if (!normals.empty()) normals[next] = normals[i];
     renumbered[i] = next++;
   }
-  scene.positions_world.resize(next);
-  if (!scene.normals_world.empty()) scene.normals_world.resize(next);
-  for (glm::uvec3& t : scene.triangles) t = {renumbered[t.x], renumbered[t.y], renumbered[t.z]};
+  positions.resize(next);
+  positions.shrink_to_fit();
+  if (!normals.empty()) normals.resize(next);
+  normals.shrink_to_fit();
+  for (glm::uvec3& t : scene.triangles.edit()) t = {renumbered[t.x], renumbered[t.y], renumbered[t.z]};
 }
 
 }  // namespace
@@ -80,15 +85,17 @@ std::vector<TriangleFault> find_triangle_faults(const Scene& scene) {
 
 void remove_triangles(Scene& scene, const std::vector<TriangleFault>& faults) {
   uint32_t next = 0;
+  std::vector<glm::uvec3>& triangles = scene.triangles.edit();
   for (MeshPart& part : scene.parts) {
     const uint32_t first = next;
     for (uint32_t t = part.first_triangle; t < part.first_triangle + part.triangle_count; ++t) {
-      if (faults[t] == TriangleFault::none) scene.triangles[next++] = scene.triangles[t];
+      if (faults[t] == TriangleFault::none) triangles[next++] = triangles[t];
     }
     part.first_triangle = first;
     part.triangle_count = next - first;
   }
-  scene.triangles.resize(next);
+  triangles.resize(next);
+  triangles.shrink_to_fit();
   std::erase_if(scene.parts, [](const MeshPart& part) { return part.triangle_count == 0; });
   remove_unused_vertices(scene);
 }

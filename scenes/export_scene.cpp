@@ -2,6 +2,8 @@
 #include "scenes/export_scene.h"
 
 #include "core/hash.h"
+#include "scenes/instances.h"
+#include "scenes/scene_hash.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -76,6 +78,7 @@ OrderedJson light_json(const Light& light) {
 }  // namespace
 
 std::string scene_obj_text(const Scene& scene) {
+  if (!scene.instanced.empty()) return scene_obj_text(flattened(scene));
   std::string text =
       fmt::format("# {}, hash {}; world space, y up, counter-clockwise\n", scene.name, scene.hash);
   auto out = std::back_inserter(text);
@@ -103,7 +106,7 @@ std::string scene_json_text(const Scene& scene, const std::string& name, int wid
       {"hash", scene.hash},
       {"mesh", "scene.obj"},
       {"mesh_hash", mesh_hash(scene)},
-      {"triangles", scene.triangles.size()},
+      {"triangles", count_shown_triangles(scene)},
       {"space", "world: right-handed, y up, metres; matrices in rows, for column vectors"},
       {"camera", camera_json(scene.camera, width_px, height_px)},
       {"light", light_json(scene.light())}};
@@ -117,6 +120,7 @@ std::string mesh_hash(const Scene& scene) {
   hasher.values(std::span<const glm::uvec3>(scene.triangles));
   for (const MeshPart& part : scene.parts)
     hasher.text(part.name).number(part.first_triangle).number(part.triangle_count);
+  hash_instances(hasher, scene);
   return hasher.hex();
 }
 

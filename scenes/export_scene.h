@@ -8,7 +8,8 @@
 
 namespace umbrameter {
 
-/// World-space triangles, positions to the last bit; one group a part; normals where the scene has any.
+/// World-space triangles, positions to the last bit; one group a part; normals where the scene has any. Instances become
+/// triangles of their own: Error{input} as flattened().
 std::string scene_obj_text(const Scene& scene);
 
 /// Camera and active light, under the name that people know the scene by. `mesh_hash` is a hash of the geometry alone.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scenes/light_enclosure.h"
 
+#include "scenes/instances.h"
 #include "scenes/light_body.h"
 
 #include <glm/common.hpp>
@@ -93,11 +94,27 @@ bool is_pierced(const Scene& scene, const MeshPart& part, const Light& light) {
   return false;
 }
 
-}  // namespace
+/// With lights and camera of `scene`.
+Scene only_instance(const Instance& instance, const Scene& scene) {
+  auto mesh = std::make_shared<InstancedMesh>(*instance.mesh);
+  mesh->world_from_mesh = {*instance.world_from_mesh};
+  Scene alone;
+  alone.lights = scene.lights;
+  alone.camera = scene.camera;
+  alone.instanced = {std::move(mesh)};
+  return flattened(alone);
+}
 
-std::vector<std::string> find_enclosed_lights(const Scene& scene) {
-  std::vector<std::string> warnings;
-  const double margin = kTouching * scene.bounds_world.diagonal();
+bool may_reach(const Instance& instance, const std::vector<Light>& lights, double margin) {
+  Bounds3 bounds = instance.bounds_world();
+  bounds.min -= margin;
+  bounds.max += margin;
+  return std::ranges::any_of(lights, [&](const Light& light) {
+    return light.type != LightType::sun && overlap(bounds, light_bounds(light));
+  });
+}
+
+void find_in_parts(const Scene& scene, double margin, std::vector<std::string>& warnings) {
   for (const MeshPart& part : scene.parts) {
     const Bounds3 bounds = bounds_of(scene, part);
     for (const Light& light : scene.lights) {
@@ -112,6 +129,18 @@ std::vector<std::string> find_enclosed_lights(const Scene& scene) {
         warnings.push_back(fmt::format("light '{}' seems to be inside '{}'", light.name, part.name));
       }
     }
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> find_enclosed_lights(const Scene& scene) {
+  std::vector<std::string> warnings;
+  const double margin = kTouching * scene.bounds_world.diagonal();
+  find_in_parts(scene, margin, warnings);
+  for (const Instance& instance : list_instances(scene)) {
+    if (may_reach(instance, scene.lights, margin))
+      find_in_parts(only_instance(instance, scene), margin, warnings);
   }
   return warnings;
 }

@@ -57,16 +57,6 @@ std::vector<Light> read_lights(TomlReader& reader) {
   return lights;
 }
 
-std::vector<NamedMesh> read_meshes(TomlReader& reader, const std::filesystem::path& folder,
-                                   const SceneSearch& search, std::vector<std::string>& warnings) {
-  std::vector<NamedMesh> meshes;
-  for (const TomlNode* table : reader.tables("mesh")) {
-    meshes.push_back(read_mesh(*table, folder, search, warnings));
-  }
-  if (meshes.empty()) reader.fail("mesh", "there is no mesh", "add a [[mesh]] table");
-  return meshes;
-}
-
 }  // namespace
 
 Scene parse_scene(std::string_view document, const std::filesystem::path& file, const SceneSearch& search) {
@@ -81,7 +71,9 @@ Scene parse_scene(std::string_view document, const std::filesystem::path& file, 
   scene.lights = read_lights(reader);
   reader.has("mesh");  // a known key
   reader.finish();     // unknown keys are reported before large files are read
-  std::vector<NamedMesh> meshes = read_meshes(reader, file.parent_path(), search, scene.warnings);
+  const std::vector<const TomlNode*> tables = reader.tables("mesh");
+  if (tables.empty()) reader.fail("mesh", "there is no mesh", "add a [[mesh]] table");
+  std::vector<NamedMesh> meshes = read_meshes(tables, file.parent_path(), search, scene.warnings);
   merge_meshes(meshes, scene);
   if (scene.camera.near_world == 0.0) scene.camera.near_world = derived_near(scene);
   if (auto warning = rounding_warning(scene)) scene.warnings.push_back(std::move(*warning));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scenes/local_scene.h"
 
+#include "scenes/instances.h"
+
 #include <array>
 #include <cmath>
 
@@ -17,6 +19,12 @@ double origin_along(double middle, double diagonal) {
   return std::round(middle / step) * step;
 }
 
+std::shared_ptr<const InstancedMesh> moved_by(const InstancedMesh& mesh, const glm::dvec3& offset_world) {
+  auto moved = std::make_shared<InstancedMesh>(mesh);
+  for (glm::mat4x3& place : moved->world_from_mesh) place[3] = glm::vec3(glm::dvec3(place[3]) + offset_world);
+  return moved;
+}
+
 }  // namespace
 
 std::optional<LocalScene> local_scene(const Scene& scene) {
@@ -28,7 +36,8 @@ std::optional<LocalScene> local_scene(const Scene& scene) {
   if (origin == glm::dvec3(0.0)) return std::nullopt;
   LocalScene local{scene, origin};
   Scene& moved = local.scene;
-  for (glm::vec3& p : moved.positions_world) p = glm::vec3(glm::dvec3(p) - origin);
+  for (glm::vec3& p : moved.positions_world.edit()) p = glm::vec3(glm::dvec3(p) - origin);
+  for (auto& mesh : moved.instanced) mesh = moved_by(*mesh, -origin);
   moved.camera.eye_world -= origin;
   moved.camera.at_world -= origin;
   for (Light& light : moved.lights) light.center_world -= origin;

@@ -9,7 +9,8 @@
 
 namespace umbrameter {
 
-/// A scene less `origin_world`, every position exactly.
+/// A scene less `origin_world`, every position of its own triangles exactly; instances stand where the difference is rounded
+/// to floats.
 struct LocalScene {
   Scene scene;
   glm::dvec3 origin_world{0.0};

@@ -24,22 +24,6 @@ glm::vec3 float_position(const dvec3& p, const NamedMesh& mesh) {
   return glm::vec3(p) + 0.0f;  // -0 becomes 0, so equal positions have equal bits
 }
 
-/// Gives each triangle its own vertices, with the triangle's normal.
-void split_flat(MeshData& mesh) {
-  std::vector<dvec3> positions;
-  for (glm::uvec3& t : mesh.triangles) {
-    const dvec3 corners[3] = {mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]};
-    const dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
-    const double length = glm::length(normal);
-    const auto first = static_cast<uint32_t>(positions.size());
-    positions.insert(positions.end(), corners, corners + 3);
-    // A triangle without area is dropped later; any unit vector will do.
-    mesh.normals.insert(mesh.normals.end(), 3, length > 0.0 ? normal / length : dvec3(0, 1, 0));
-    t = {first, first + 1, first + 2};
-  }
-  mesh.positions = std::move(positions);
-}
-
 void append_parts(const NamedMesh& mesh, uint32_t first_triangle, Scene& scene) {
   if (mesh.mesh.parts.empty()) {
     scene.parts.push_back({mesh.name, first_triangle, static_cast<uint32_t>(mesh.mesh.triangles.size())});
@@ -62,8 +46,11 @@ void append_cutouts(const MeshData& mesh, size_t first_triangle, std::vector<uin
     const uint32_t cutout = mesh.cutouts.empty() ? kSolid : mesh.cutout_of_triangle[t];
     cutout_of_triangle.push_back(cutout == kSolid ? kSolid : first_cutout + cutout);
   }
-  for (const Cutout& cutout : mesh.cutouts) scene.cutouts.push_back({cutout.uv, first_mask + cutout.mask});
-  scene.masks.insert(scene.masks.end(), mesh.masks.begin(), mesh.masks.end());
+  if (mesh.cutouts.empty()) return;
+  std::vector<Cutout>& cutouts = scene.cutouts.edit();
+  for (const Cutout& cutout : mesh.cutouts) cutouts.push_back({cutout.uv, first_mask + cutout.mask});
+  std::vector<AlphaMask>& masks = scene.masks.edit();
+  masks.insert(masks.end(), mesh.masks.begin(), mesh.masks.end());
 }
 
 /// Solid triangles first, then those with holes in the order of scene.cutouts; a part that has both becomes two.
@@ -98,9 +85,18 @@ void append(const NamedMesh& mesh, Scene& scene) {
   }
   append_parts(mesh, static_cast<uint32_t>(scene.triangles.size()), scene);
   const auto base = static_cast<uint32_t>(scene.positions_world.size());
-  for (const dvec3& p : mesh.mesh.positions) scene.positions_world.push_back(float_position(p, mesh));
-  for (const dvec3& n : mesh.mesh.normals) scene.normals_world.emplace_back(n);
-  for (const glm::uvec3& t : mesh.mesh.triangles) scene.triangles.push_back(t + base);
+  std::vector<glm::vec3>& positions = scene.positions_world.edit();
+  for (const dvec3& p : mesh.mesh.positions) positions.push_back(float_position(p, mesh));
+  std::vector<glm::vec3>& normals = scene.normals_world.edit();
+  for (const dvec3& n : mesh.mesh.normals) normals.emplace_back(n);
+  std::vector<glm::uvec3>& triangles = scene.triangles.edit();
+  for (const glm::uvec3& t : mesh.mesh.triangles) triangles.push_back(t + base);
+}
+
+bool has_normals(const MeshData& mesh) {
+  return !mesh.normals.empty() || std::ranges::any_of(mesh.repeated, [](const RepeatedMesh& repeated) {
+    return !repeated.mesh.normals.empty();
+  });
 }
 
 std::string describe_loss(size_t zero_area, size_t duplicates) {
@@ -131,9 +127,24 @@ void report_faults(const std::vector<NamedMesh>& meshes, const std::vector<uint3
 
 }  // namespace
 
+void split_flat(MeshData& mesh) {
+  std::vector<dvec3> positions;
+  for (glm::uvec3& t : mesh.triangles) {
+    const dvec3 corners[3] = {mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]};
+    const dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+    const double length = glm::length(normal);
+    const auto first = static_cast<uint32_t>(positions.size());
+    positions.insert(positions.end(), corners, corners + 3);
+    // A triangle without area is dropped later; any unit vector will do.
+    mesh.normals.insert(mesh.normals.end(), 3, length > 0.0 ? normal / length : dvec3(0, 1, 0));
+    t = {first, first + 1, first + 2};
+  }
+  mesh.positions = std::move(positions);
+}
+
 void merge_meshes(std::vector<NamedMesh>& meshes, Scene& scene) {
-  const bool smooth = std::any_of(meshes.begin(), meshes.end(),
-                                  [](const NamedMesh& mesh) { return !mesh.mesh.normals.empty(); });
+  const bool smooth =
+      std::any_of(meshes.begin(), meshes.end(), [](const NamedMesh& mesh) { return has_normals(mesh.mesh); });
   std::vector<uint32_t> first_triangles{0};
   std::vector<uint32_t> cutout_of_triangle;
   for (NamedMesh& mesh : meshes) {
@@ -142,7 +153,9 @@ void merge_meshes(std::vector<NamedMesh>& meshes, Scene& scene) {
     append(mesh, scene);
     scene.side_files.insert(scene.side_files.end(), mesh.mesh.side_files.begin(), mesh.mesh.side_files.end());
     first_triangles.push_back(static_cast<uint32_t>(scene.triangles.size()));
+    std::vector<RepeatedMesh> repeated = std::move(mesh.mesh.repeated);
     mesh.mesh = {};
+    mesh.mesh.repeated = std::move(repeated);
   }
   const std::vector<TriangleFault> faults = find_triangle_faults(scene);
   report_faults(meshes, first_triangles, faults, scene);
@@ -157,6 +170,7 @@ void merge_meshes(std::vector<NamedMesh>& meshes, Scene& scene) {
     scene.bounds_world.min = glm::min(scene.bounds_world.min, dvec3(p));
     scene.bounds_world.max = glm::max(scene.bounds_world.max, dvec3(p));
   }
+  for (NamedMesh& mesh : meshes) add_instances(mesh, smooth, scene);
 }
 
 }  // namespace umbrameter

@@ -5,6 +5,7 @@
 #include "scenes/cutouts.h"
 #include "scenes/scene.h"
 
+#include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
 #include <filesystem>
@@ -15,6 +16,8 @@ namespace umbrameter {
 /// No entry in MeshData::cutouts.
 inline constexpr uint32_t kSolid = ~0u;
 
+struct RepeatedMesh;
+
 struct MeshData {
   std::vector<glm::dvec3> positions;
   std::vector<glm::dvec3> normals;           // unit shading normals, one per position; empty = flat shading
@@ -24,6 +27,13 @@ struct MeshData {
   std::vector<Cutout> cutouts;
   std::vector<AlphaMask> masks;
   std::vector<std::filesystem::path> side_files;  // material libraries and masks that were asked for
+  std::vector<RepeatedMesh> repeated;             // besides the above: what is kept once (scenes/instances.h)
+};
+
+/// A mesh in a space of its own, and where it stands.
+struct RepeatedMesh {
+  MeshData mesh;  // has no repeated ones itself
+  std::vector<glm::dmat4> world_from_mesh;
 };
 
 }  // namespace umbrameter

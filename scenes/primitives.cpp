@@ -83,6 +83,21 @@ MeshData assemble_mesh(const std::vector<Primitive>& primitives, std::vector<Alp
   return mesh;
 }
 
+void keep_used_masks(MeshData& mesh) {
+  constexpr uint32_t kUnused = ~0u;
+  std::vector<uint32_t> renumbered(mesh.masks.size(), kUnused);
+  std::vector<AlphaMask> used;
+  for (Cutout& cutout : mesh.cutouts) {
+    uint32_t& number = renumbered[cutout.mask];
+    if (number == kUnused) {
+      number = static_cast<uint32_t>(used.size());
+      used.push_back(std::move(mesh.masks[cutout.mask]));
+    }
+    cutout.mask = number;
+  }
+  mesh.masks = std::move(used);
+}
+
 bool NameFilter::keeps(const std::set<std::string>& names) {
   seen_.insert(names.begin(), names.end());
   const auto matches = [&](const std::vector<std::string>& list) {

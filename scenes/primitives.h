@@ -38,6 +38,9 @@ void place(Primitive& primitive, const glm::dmat4& world_from_node);
 /// Primitives of one label become one part, in order of appearance. Triangles without usable normals become flat.
 MeshData assemble_mesh(const std::vector<Primitive>& primitives, std::vector<AlphaMask> masks);
 
+/// Drops the masks that no cutout names.
+void keep_used_masks(MeshData& mesh);
+
 /// A filter by the names of materials, meshes and nodes, which remembers the names it saw.
 class NameFilter {
  public:

@@ -4,6 +4,7 @@
 #include "scenes/assimp/assimp_mesh.h"
 #include "scenes/file_ending.h"
 #include "scenes/gltf/gltf_mesh.h"
+#include "scenes/instances.h"
 #include "scenes/obj/load_obj.h"
 #include "scenes/read_shape.h"
 #include "scenes/read_values.h"
@@ -15,6 +16,9 @@
 
 #include <array>
 #include <cmath>
+#include <map>
+#include <set>
+#include <tuple>
 
 namespace umbrameter {
 namespace {
@@ -82,7 +86,16 @@ Transform read_transform(TomlReader& reader) {
   return transform;
 }
 
+glm::dmat4 matrix_of(const Transform& transform) {
+  glm::dmat4 matrix(transform.linear);
+  matrix[3] = glm::dvec4(transform.translation, 1.0);
+  return matrix;
+}
+
 void apply(const Transform& transform, MeshData& mesh) {
+  for (RepeatedMesh& repeated : mesh.repeated) {
+    for (glm::dmat4& place : repeated.world_from_mesh) place = matrix_of(transform) * place;
+  }
   for (dvec3& p : mesh.positions) p = transform.linear * p + transform.translation;
   const double volume = glm::determinant(transform.linear);
   const dmat3 normal_matrix = glm::transpose(glm::inverse(transform.linear));
@@ -112,6 +125,70 @@ MeshData load_mesh_file(const fs::path& file, const MeshFilter& filter, std::vec
   return load_obj(file, filter, warnings);
 }
 
+/// A [[mesh]] table that is read, but for its file.
+struct MeshTable {
+  NamedMesh mesh;  // of a shape: all there is
+  Transform transform;
+  fs::path file;  // empty: a shape
+  MeshFilter filter;
+};
+
+MeshTable read_table(const TomlNode& table, const fs::path& folder, const SceneSearch& search) {
+  TomlReader reader(table, "[[mesh]]");
+  MeshTable result;
+  NamedMesh& mesh = result.mesh;
+  mesh.where = table.where;
+  if (reader.has("file") == reader.has("shape")) {
+    reader.fail("shape", "a mesh needs either 'file' or 'shape'", "file = \"x.obj\" or shape = \"box\"");
+  }
+  result.transform = read_transform(reader);
+  if (reader.has("shape")) {
+    mesh.name = reader.text("name", reader.text("shape"));
+    mesh.label = mesh.name;
+    mesh.mesh = read_shape(reader);
+    reader.finish();
+    return result;
+  }
+  const std::string file = reader.text("file");
+  const std::string file_name = fs::path(file).filename().string();
+  mesh.name = reader.text("name", file_name.substr(0, file_name.find('.')));
+  mesh.label = file_name;
+  result.filter = {reader.texts("include"), reader.texts("exclude")};
+  reader.finish();  // a misspelt key is cheaper to find than a large file is to load
+  result.file = require_mesh_file(reader, file, folder, search);
+  return result;
+}
+
+uint64_t triangles_in(const MeshData& mesh) {
+  uint64_t count = mesh.triangles.size();
+  for (const RepeatedMesh& repeated : mesh.repeated) count += repeated.mesh.triangles.size();
+  return count;
+}
+
+/// `loaded`, and what it repeats itself, at each of `places`.
+MeshData repeat(MeshData loaded, const std::vector<glm::dmat4>& places) {
+  std::vector<RepeatedMesh> repeated = std::move(loaded.repeated);
+  loaded.repeated.clear();
+  for (RepeatedMesh& one : repeated) {
+    std::vector<glm::dmat4> all;
+    for (const glm::dmat4& place : places) {
+      for (const glm::dmat4& inner : one.world_from_mesh) all.push_back(place * inner);
+    }
+    one.world_from_mesh = std::move(all);
+  }
+  MeshData result;
+  result.side_files = std::move(loaded.side_files);
+  if (!loaded.triangles.empty()) result.repeated.push_back({std::move(loaded), places});
+  for (RepeatedMesh& one : repeated) result.repeated.push_back(std::move(one));
+  return result;
+}
+
+/// Tables of one file and filter.
+using FileKey = std::tuple<fs::path, std::vector<std::string>, std::vector<std::string>>;
+FileKey key_of(const MeshTable& table) {
+  return {table.file, table.filter.include, table.filter.exclude};
+}
+
 }  // namespace
 
 std::optional<fs::path> find_mesh_file(const std::string& name, const fs::path& folder,
@@ -123,32 +200,32 @@ std::optional<fs::path> find_mesh_file(const std::string& name, const fs::path& 
   return {};
 }
 
-NamedMesh read_mesh(const TomlNode& table, const fs::path& folder, const SceneSearch& search,
-                    std::vector<std::string>& warnings) {
-  TomlReader reader(table, "[[mesh]]");
-  NamedMesh result;
-  result.where = table.where;
-  if (reader.has("file") == reader.has("shape")) {
-    reader.fail("shape", "a mesh needs either 'file' or 'shape'", "file = \"x.obj\" or shape = \"box\"");
+std::vector<NamedMesh> read_meshes(std::span<const TomlNode* const> tables, const fs::path& folder,
+                                   const SceneSearch& search, std::vector<std::string>& warnings) {
+  std::vector<MeshTable> read;
+  std::map<FileKey, std::vector<glm::dmat4>> places;
+  for (const TomlNode* table : tables) {
+    read.push_back(read_table(*table, folder, search));
+    if (!read.back().file.empty()) places[key_of(read.back())].push_back(matrix_of(read.back().transform));
   }
-  const Transform transform = read_transform(reader);
-  if (reader.has("shape")) {
-    result.name = reader.text("name", reader.text("shape"));
-    result.label = result.name;
-    result.mesh = read_shape(reader);
-    reader.finish();
-  } else {
-    const std::string file = reader.text("file");
-    const std::string file_name = fs::path(file).filename().string();
-    result.name = reader.text("name", file_name.substr(0, file_name.find('.')));
-    result.label = file_name;
-    const MeshFilter filter{reader.texts("include"), reader.texts("exclude")};
-    reader.finish();  // a misspelt key is cheaper to find than a large file is to load
-    const fs::path found = require_mesh_file(reader, file, folder, search);
-    result.mesh = load_mesh_file(found, filter, warnings);
+  std::vector<NamedMesh> meshes;
+  std::set<FileKey> kept_once;
+  for (MeshTable& table : read) {
+    if (!table.file.empty()) {
+      const FileKey key = key_of(table);
+      if (kept_once.count(key) > 0) continue;
+      table.mesh.mesh = load_mesh_file(table.file, table.filter, warnings);
+      if (is_kept_once(triangles_in(table.mesh.mesh), places[key])) {
+        kept_once.insert(key);
+        table.mesh.mesh = repeat(std::move(table.mesh.mesh), places[key]);
+        meshes.push_back(std::move(table.mesh));
+        continue;
+      }
+    }
+    apply(table.transform, table.mesh.mesh);
+    meshes.push_back(std::move(table.mesh));
   }
-  apply(transform, result.mesh);
-  return result;
+  return meshes;
 }
 
 }  // namespace umbrameter

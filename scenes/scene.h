@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The scene both renderers draw: one camera, one or more area lights, one merged triangle list. Positions are
-// float and final (world space), so that Embree and GL see bit-identical vertices.
+// The scene both renderers draw: one camera, one or more area lights, one merged triangle list, and meshes that stand in
+// several places (scenes/instances.h). Positions are float, and those of the list final (world space), so that Embree and GL
+// see bit-identical vertices.
 
 #include "core/error.h"
 #include "scenes/cutouts.h"
 #include "scenes/light.h"
+#include "scenes/shared_list.h"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
@@ -13,6 +15,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -40,6 +43,8 @@ struct MeshPart {
   uint32_t triangle_count = 0;
 };
 
+struct InstancedMesh;
+
 struct Scene {
   std::string name;   // file stem
   std::string title;  // one line for people
@@ -49,12 +54,13 @@ struct Scene {
   std::vector<Light> lights;  // at least one; commands use `active_light`
   size_t active_light = 0;
 
-  std::vector<glm::vec3> positions_world;
-  std::vector<glm::vec3> normals_world;  // per vertex, unit shading normals; empty = flat shading everywhere
-  std::vector<glm::uvec3> triangles;     // vertex indices; primitive_id = index here
+  SharedList<glm::vec3> positions_world;
+  SharedList<glm::vec3> normals_world;  // per vertex, unit shading normals; empty = flat shading everywhere
+  SharedList<glm::uvec3> triangles;     // vertex indices; primitive_id = index here
   std::vector<MeshPart> parts;
-  std::vector<Cutout> cutouts;  // of the last triangles, one each; empty = everything is solid
-  std::vector<AlphaMask> masks;
+  SharedList<Cutout> cutouts;  // of the last triangles, one each; empty = all of them are solid
+  SharedList<AlphaMask> masks;
+  std::vector<std::shared_ptr<const InstancedMesh>> instanced;  // besides the triangles above
   std::vector<std::filesystem::path>
       side_files;  // what the meshes' files named and was asked for, there or not
   Bounds3 bounds_world;
@@ -68,7 +74,7 @@ struct Scene {
   uint32_t first_cutout() const { return static_cast<uint32_t>(triangles.size() - cutouts.size()); }
 };
 
-/// Geometric unit normal of a triangle, from its winding (not flipped towards anybody).
+/// Geometric unit normal of one of scene.triangles, from its winding (not flipped towards anybody).
 glm::dvec3 triangle_normal_world(const Scene& scene, uint32_t triangle);
 
 glm::dmat4 view_from_world(const Camera& camera);

@@ -2,6 +2,7 @@
 #include "scenes/scene_hash.h"
 
 #include "core/hash.h"
+#include "scenes/instances.h"
 
 namespace umbrameter {
 namespace {
@@ -22,13 +23,28 @@ void hash_light(Hasher& hasher, const Light& light) {
       .number(light.half_angle_rad);
 }
 
+void hash_holes(Hasher& hasher, std::span<const Cutout> cutouts, std::span<const AlphaMask> masks) {
+  hasher.values(cutouts);
+  for (const AlphaMask& mask : masks)
+    hasher.number(mask.width).number(mask.height).values(std::span<const uint32_t>(mask.bits));
+}
+
 }  // namespace
 
 void hash_cutouts(Hasher& hasher, const Scene& scene) {
   if (scene.cutouts.empty()) return;
-  hasher.values(std::span<const Cutout>(scene.cutouts));
-  for (const AlphaMask& mask : scene.masks)
-    hasher.number(mask.width).number(mask.height).values(std::span<const uint32_t>(mask.bits));
+  hash_holes(hasher, scene.cutouts, scene.masks);
+}
+
+void hash_instances(Hasher& hasher, const Scene& scene) {
+  for (const auto& mesh : scene.instanced) {
+    hasher.text("instanced");
+    hasher.number(static_cast<double>(mesh->positions.size())).values(std::span(mesh->positions));
+    hasher.number(static_cast<double>(mesh->normals.size())).values(std::span(mesh->normals));
+    hasher.values(std::span(mesh->triangles));
+    hash_holes(hasher, mesh->cutouts, mesh->masks);
+    hasher.number(static_cast<double>(mesh->world_from_mesh.size())).values(std::span(mesh->world_from_mesh));
+  }
 }
 
 std::string hash_scene(const Scene& scene) {
@@ -45,6 +61,7 @@ std::string hash_scene(const Scene& scene) {
   hasher.values(std::span<const glm::vec3>(scene.normals_world));
   hasher.values(std::span<const glm::uvec3>(scene.triangles));
   hash_cutouts(hasher, scene);
+  hash_instances(hasher, scene);
   return hasher.hex();
 }
 

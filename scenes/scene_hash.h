@@ -13,5 +13,7 @@ std::string hash_scene(const Scene& scene);
 
 /// Feeds what triangles with holes add to the geometry: nothing for a solid scene.
 void hash_cutouts(Hasher& hasher, const Scene& scene);
+/// Feeds what instances add: nothing for a scene without.
+void hash_instances(Hasher& hasher, const Scene& scene);
 
 }  // namespace umbrameter

@@ -8,6 +8,7 @@
 #include "engines/host/pictures.h"
 #include "engines/host/placeholders.h"
 #include "engines/host/scene_folders.h"
+#include "scenes/instances.h"
 
 #include <fmt/format.h>
 
@@ -80,10 +81,11 @@ EngineAnswer find_pictures(const Engine& engine, const PlaceholderValues& values
 
 void require_support(const Engine& engine, const Scene& scene) {
   const Light& light = scene.light();
-  if (!scene.cutouts.empty() && engine.form != EngineForm::pictures) {
+  const uint64_t holes = count_shown_cutouts(scene);
+  if (holes > 0 && engine.form != EngineForm::pictures) {
     fail_input(
         fmt::format("engine '{}' gets no cut-outs: {} of {} triangles have holes, which scene.obj does not",
-                    engine.id, scene.cutouts.size(), scene.triangles.size()));
+                    engine.id, holes, count_shown_triangles(scene)));
   }
   if (engine.supports(light.type)) return;
   std::string supported;

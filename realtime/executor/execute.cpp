@@ -85,6 +85,18 @@ void resolve(const Resolve& targets) {
                          GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
+void draw_instances(const PreparedPass& pass, const Step& step, const SceneBuffers& scene_buffers) {
+  if (!pass.instance_program) return;
+  const InstanceBuffers& instances = *scene_buffers.instances();
+  const InstanceSelection& drawn = step.instances ? *step.instances : instances.all();
+  pass.instance_program->use();
+  instances.draw(drawn);
+  if (!pass.instance_cutout_program) return;
+  pass.instance_cutout_program->use();
+  scene_buffers.cutouts()->bind_storage();
+  instances.draw_cutouts(drawn);
+}
+
 void draw_pass(const Plan& plan, const Step& step, const SceneBuffers& scene_buffers,
                const VertexArray& empty_vertex_array) {
   const PreparedPass& pass = plan.passes[step.pass];
@@ -102,6 +114,7 @@ void draw_pass(const Plan& plan, const Step& step, const SceneBuffers& scene_buf
       pass.cutout_program->use();
       scene_buffers.cutouts()->draw();
     }
+    draw_instances(pass, step, scene_buffers);
     set_clip_distances(declaration.state, false);
   } else {
     draw_fullscreen(empty_vertex_array);

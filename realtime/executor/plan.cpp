@@ -142,16 +142,31 @@ class Planner {
   }
 
   void add_casters(Step& step, const FittedView& fitted, bool clamps_depth) {
-    const auto total = static_cast<uint64_t>(inputs_.scene_buffers.triangle_count());
-    plan_.scene_pass_triangles += total;
-    if (inputs_.casters.empty() || !plan_.passes[step.pass].may_cull_casters) return;
-    auto& known = casters_[{&fitted, clamps_depth}];
-    if (known == nullptr) {
-      known =
-          std::make_shared<const IndexRanges>(casters_in_view(inputs_.casters, fitted.view, clamps_depth));
+    plan_.scene_pass_triangles += inputs_.scene_buffers.triangle_count();
+    if (!plan_.passes[step.pass].may_cull_casters) return;
+    if (!inputs_.casters.empty()) {
+      auto& known = casters_[{&fitted, clamps_depth}];
+      if (known == nullptr) {
+        known =
+            std::make_shared<const IndexRanges>(casters_in_view(inputs_.casters, fitted.view, clamps_depth));
+      }
+      step.casters = known;
+      plan_.culled_triangles += inputs_.scene.triangles.size() - known->triangle_count();
     }
-    step.casters = known;
-    plan_.culled_triangles += total - known->triangle_count();
+    if (!inputs_.instance_boxes.empty()) add_instances(step, fitted, clamps_depth);
+  }
+
+  void add_instances(Step& step, const FittedView& fitted, bool clamps_depth) {
+    const InstanceBuffers& instances = *inputs_.scene_buffers.instances();
+    auto& known = instances_[{&fitted, clamps_depth}];
+    if (known == nullptr) {
+      const glm::dmat4 clip_from_world =
+          glm::dmat4(fitted.view.clip_from_light) * glm::dmat4(fitted.view.light_from_world);
+      known = std::make_shared<const InstanceSelection>(
+          instances.select(instances_in_view(inputs_.instance_boxes, clip_from_world, clamps_depth)));
+    }
+    step.instances = known;
+    plan_.culled_triangles += instances.all().triangles - known->triangles;
   }
 
   /// The level or layer that the pass writes; 0 where it says none.
@@ -212,6 +227,8 @@ class Planner {
   std::map<std::pair<const FittedView*, size_t>, UniformRange> view_ranges_;
   std::map<std::pair<const FittedView*, bool>, std::shared_ptr<const IndexRanges>>
       casters_;  // bool: clamped depth
+  std::map<std::pair<const FittedView*, bool>, std::shared_ptr<const InstanceSelection>>
+      instances_;  // as casters_
   std::vector<Loop> loops_;
   Plan plan_;
 };

@@ -24,8 +24,9 @@ struct Step {
   bool once = false;  // in the first frame only, untimed
   std::vector<UniformRange> uniforms;
   bool mirrors = false;
-  std::shared_ptr<const IndexRanges> casters;  // of a scene pass; none: every triangle
-  bool is_kept = false;                        // what it would write is there from an earlier run: not drawn
+  std::shared_ptr<const IndexRanges> casters;          // of a scene pass; none: every triangle
+  std::shared_ptr<const InstanceSelection> instances;  // of a scene pass; none: all of them
+  bool is_kept = false;  // what it would write is there from an earlier run: not drawn
 };
 
 struct Plan {

@@ -2,6 +2,7 @@
 #include "realtime/executor/prepare_pass.h"
 
 #include "realtime/executor/prelude.h"
+#include "realtime/harness/placed_vertices.h"
 #include "realtime/manifest/names.h"
 
 #include <algorithm>
@@ -101,20 +102,28 @@ std::filesystem::path vertex_file(const PassDeclaration& pass, const RunInputs& 
   return find_shader(pass.vertex, inputs.technique.folder, inputs.shaders_folder, pass.where);
 }
 
+/// What a program of a scene pass draws.
+struct Drawn {
+  bool has_holes = false;
+  bool are_instances = false;
+};
+
 std::shared_ptr<const Program> compile(const PassDeclaration& pass, const std::filesystem::path& vertex,
                                        const RunInputs& inputs, const Targets& targets,
-                                       const PassSurroundings& around, bool has_holes,
-                                       ProgramCache& programs) {
+                                       const PassSurroundings& around, Drawn drawn, ProgramCache& programs) {
   PreludeInputs prelude{inputs.technique, inputs.values, pass, around.loop_variables, around.view_counts, {}};
   prelude.format_of = [&targets](const std::string& name) {
     const Target* target = targets.find(name);
     return target == nullptr ? nullptr : &target->texture->format();
   };
   prelude.takes_blocker_truth = inputs.takes_blocker_truth;
-  const std::string vertex_holes = has_holes ? cutout_vertex_prelude() : "";
-  const std::string fragment_holes = has_holes ? cutout_fragment_prelude() : "";
-  std::vector<ShaderFile> stages = {{ShaderStage::vertex, vertex, vertex_prelude(prelude) + vertex_holes}};
-  if (!pass.fragment.empty() || has_holes) {
+  const std::string vertex_more = drawn.are_instances ? instance_vertex_prelude(drawn.has_holes)
+                                  : drawn.has_holes   ? cutout_vertex_prelude()
+                                                      : "";
+  const std::string fragment_holes = drawn.has_holes ? cutout_fragment_prelude() : "";
+  std::vector<ShaderFile> stages = {
+      {ShaderStage::vertex, vertex, vertex_prelude(prelude) + vertex_more, drawn.are_instances}};
+  if (!pass.fragment.empty() || drawn.has_holes) {
     const auto fragment = pass.fragment.empty() ? inputs.shaders_folder / "lib" / "cutout_depth.frag"
                                                 : find_shader(pass.fragment, inputs.technique.folder,
                                                               inputs.shaders_folder, pass.where);
@@ -137,10 +146,18 @@ PreparedPass prepare_pass(const PassDeclaration& pass, const WritePlace& place, 
   note_formats(prepared, pass, targets);
   require_readable(prepared, pass, targets);
   const std::filesystem::path vertex = vertex_file(pass, inputs);
-  prepared.program = compile(pass, vertex, inputs, targets, around, false, programs);
+  prepared.program = compile(pass, vertex, inputs, targets, around, {}, programs);
   label_object(GL_PROGRAM, prepared.program->id(), pass.id);
-  if (pass.kind == PassKind::scene && inputs.scene_buffers.cutouts() != nullptr)
-    prepared.cutout_program = compile(pass, vertex, inputs, targets, around, true, programs);
+  if (pass.kind == PassKind::scene) {
+    const auto compile_for = [&](Drawn drawn) {
+      return compile(pass, vertex, inputs, targets, around, drawn, programs);
+    };
+    const InstanceBuffers* instances = inputs.scene_buffers.instances();
+    if (inputs.scene_buffers.cutouts() != nullptr) prepared.cutout_program = compile_for({true, false});
+    if (instances != nullptr) prepared.instance_program = compile_for({false, true});
+    if (instances != nullptr && instances->has_holes())
+      prepared.instance_cutout_program = compile_for({true, true});
+  }
   prepared.may_cull_casters = pass.kind == PassKind::scene && !prepared.program->names_primitive_id() &&
                               vertex.parent_path() == inputs.shaders_folder / "lib";
   return prepared;

@@ -38,6 +38,7 @@ struct PreparedPass {
   std::shared_ptr<const Program> program;
   std::shared_ptr<const Program>
       cutout_program;  // of a scene pass: the same for triangles with holes, if there are any
+  std::shared_ptr<const Program> instance_program, instance_cutout_program;  // the same for instances
   Framebuffer framebuffer;
   std::vector<const TextureFormat*> color_formats;
   bool has_depth = false;

@@ -7,6 +7,7 @@
 #include "realtime/harness/gbuffer.h"
 #include "realtime/harness/scene_buffers.h"
 #include "realtime/manifest/technique.h"
+#include "realtime/views/instance_boxes.h"
 #include "realtime/views/light_view.h"
 #include "scenes/scene.h"
 
@@ -24,9 +25,10 @@ struct RunInputs {
   const SceneBuffers& scene_buffers;
   const GBuffer& gbuffer;  // also says the screen's size
   std::span<const ReceiverTile> receivers;
-  std::span<const CasterCluster> casters;  // none: every triangle is drawn into every map
-  const Image& picture;                    // the G-buffer read back, for views that cover a part of it
-  DistanceRange receiver_range;            // along the camera's axis
+  std::span<const CasterCluster> casters;       // none: every triangle is drawn into every map
+  std::span<const InstanceBox> instance_boxes;  // none: every instance is drawn into every map
+  const Image& picture;                         // the G-buffer read back, for views that cover a part of it
+  DistanceRange receiver_range;                 // along the camera's axis
   glm::dvec4 receiver_plane_world{0, 1, 0, 0};
   uint64_t seed = 1;
   std::filesystem::path shaders_folder;

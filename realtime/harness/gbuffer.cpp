@@ -4,6 +4,7 @@
 #include "realtime/harness/draw.h"
 #include "realtime/harness/frame_uniforms.h"
 #include "realtime/harness/readback.h"
+#include "realtime/views/instance_boxes.h"
 
 #include <glm/trigonometric.hpp>
 
@@ -27,6 +28,7 @@ struct GBufferData {
 };
 
 constexpr GLuint kGBufferBinding = 1;
+constexpr const char* kHasInstances = "#define HAS_INSTANCES\n";
 constexpr double kGrowthInSubpixels = 2.0;  // snapping moves an edge by less than one
 
 glm::vec4 with(const glm::dvec3& v, double w) {
@@ -45,7 +47,7 @@ GBufferData make_gbuffer_data(const Scene& scene, const GBuffer& target, int sub
   data.forward_world = with(-glm::dvec3(world_from_view[2]), camera.near_world);
   data.eye_world_low = with(camera.eye_world - glm::dvec3(glm::vec3(camera.eye_world)), 0.0);
   data.screen_px = glm::vec4(target.width(), target.height(), growth_px, 0.0);
-  data.has_normals = glm::ivec4(scene.normals_world.empty() ? 0 : 1, 0, 0, 0);
+  data.has_normals = glm::ivec4(has_shading_normals(scene) ? 1 : 0, 0, 0, 0);
   return data;
 }
 
@@ -86,14 +88,23 @@ GBufferRenderer::GBufferRenderer(ProgramCache& programs, const fs::path& shaders
       no_attributes_(make_empty_vertex_array()),
       subpixel_bits_(limits.subpixel_bits) {}
 
-const Program& GBufferRenderer::visible_triangle(bool has_cutouts) {
-  if (!has_cutouts) return *visible_triangle_;
+std::shared_ptr<const Program> GBufferRenderer::visible_triangle(const std::string& defines) {
+  if (defines.empty()) return visible_triangle_;
   const fs::path folder = shaders_folder_ / "gbuffer";
-  if (!visible_cutout_) {
-    visible_cutout_ = load(programs_, folder / "visible_triangle.vert", folder / "visible_triangle.frag",
-                           "#define HAS_CUTOUTS\n");
-  }
-  return *visible_cutout_;
+  return load(programs_, folder / "visible_triangle.vert", folder / "visible_triangle.frag", defines);
+}
+
+void GBufferRenderer::draw_triangles(const Scene& scene, const SceneBuffers& buffers, const GBuffer& target) {
+  const std::string cutouts = buffers.cutouts() != nullptr ? "#define HAS_CUTOUTS\n" : "";
+  visible_triangle(cutouts)->use();
+  buffers.draw_pulled();
+  const InstanceBuffers* instances = buffers.instances();
+  if (instances == nullptr) return;
+  const glm::dmat4 clip = clip_from_world(scene.camera, target.width(), target.height());
+  const InstanceSelection seen =
+      instances->select(instances_in_view(make_instance_boxes(scene), clip, false));
+  visible_triangle(cutouts + kHasInstances)->use();
+  instances->draw_pulled(seen);
 }
 
 void GBufferRenderer::render(const Scene& scene, const SceneBuffers& buffers, const GBuffer& target) {
@@ -111,15 +122,20 @@ void GBufferRenderer::render(const Scene& scene, const SceneBuffers& buffers, co
   clear_texture(target.primitive_id, std::array{static_cast<double>(kNoPrimitive)});
   clear_texture(target.depth, std::array{0.0});
   triangle_target.bind();
-  visible_triangle(buffers.cutouts() != nullptr).use();
-  buffers.draw_pulled();
+  draw_triangles(scene, buffers, target);
 
   const std::array<const Texture*, 4> surfaces = {&target.position, &target.normal, &target.shading_normal,
                                                   &target.unshadowed_irradiance};
   const Framebuffer surface_target(surfaces, nullptr);
   surface_target.bind();
   bind_texture(0, target.primitive_id, nearest_);
-  surface_->use();
+  if (buffers.instances() == nullptr) {
+    surface_->use();
+  } else {
+    load(programs_, shaders_folder_ / "lib" / "fullscreen.vert", shaders_folder_ / "gbuffer" / "surface.frag",
+         kHasInstances)
+        ->use();
+  }
   draw_fullscreen(no_attributes_);
   check_gl_errors("drawing the G-buffer");
 }

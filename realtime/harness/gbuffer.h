@@ -18,7 +18,7 @@ struct GBuffer {
   Texture position;               // rgba32f: world xyz, w = 1 covered, 0 background
   Texture normal;                 // rgba32f: geometric, unit, facing the camera
   Texture shading_normal;         // rgba32f: interpolated, unit, on the same side as `normal`
-  Texture primitive_id;           // r32ui, kNoPrimitive = background
+  Texture primitive_id;           // r32ui, the shown triangle (scenes/instances.h), kNoPrimitive = background
   Texture unshadowed_irradiance;  // r32f
   Texture depth;                  // depth32f, reversed: near_world / distance along the view axis
 
@@ -42,12 +42,12 @@ class GBufferRenderer {
   void render(const Scene& scene, const SceneBuffers& buffers, const GBuffer& target);
 
  private:
-  const Program& visible_triangle(bool has_cutouts);
+  std::shared_ptr<const Program> visible_triangle(const std::string& defines);
+  void draw_triangles(const Scene& scene, const SceneBuffers& buffers, const GBuffer& target);
 
   ProgramCache& programs_;
   std::filesystem::path shaders_folder_;
   std::shared_ptr<const Program> visible_triangle_;
-  std::shared_ptr<const Program> visible_cutout_;  // compiled for the first scene with holes
   std::shared_ptr<const Program> surface_;
   Buffer frame_block_;
   Buffer gbuffer_block_;

@@ -4,6 +4,7 @@
 #include "core/hash.h"
 #include "realtime/harness/debug_log.h"
 #include "realtime/harness/file_stamps.h"
+#include "realtime/harness/placed_vertices.h"
 #include "realtime/harness/shader_words.h"
 
 #include <algorithm>
@@ -88,6 +89,8 @@ std::vector<ShaderSource> load_sources(std::span<const ShaderFile> stages,
   for (const ShaderFile& stage : stages) {
     sources.push_back(load_shader_source(stage.file, stage.prelude, search_folders));
     sources.back().text = without_idle_macros(sources.back().text);
+    if (stage.places_vertices)
+      sources.back().text = with_placed_vertices(sources.back().text, stage.file.string());
   }
   return sources;
 }

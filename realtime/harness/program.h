@@ -22,7 +22,8 @@ std::string_view to_text(ShaderStage stage);
 struct ShaderFile {
   ShaderStage stage = ShaderStage::vertex;
   std::filesystem::path file;
-  std::string prelude;  // put between #version and the file; may itself #include
+  std::string prelude;           // put between #version and the file; may itself #include
+  bool places_vertices = false;  // with_placed_vertices() changes the text
 };
 
 struct StageText {

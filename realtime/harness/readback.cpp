@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "realtime/harness/readback.h"
 
+#include "scenes/instances.h"
+
 #include <algorithm>
 #include <vector>
 
@@ -21,7 +23,7 @@ std::vector<float> read_floats(const Texture& texture) {
   glGetTextureImage(texture.id(), 0, texture.format().format, GL_UNSIGNED_INT,
                     static_cast<GLsizei>(count * sizeof(GLuint)), integers.data());
   for (size_t i = 0; i < count; ++i)
-    values[i] = integers[i] == 0xffffffffu ? -1.0f : static_cast<float>(integers[i]);
+    values[i] = integers[i] == 0xffffffffu ? -1.0f : static_cast<float>(shown_id(integers[i]));
   return values;
 }
 

@@ -19,6 +19,42 @@ VertexArray make_indexed_vertex_array(const Buffer& positions, const Buffer& tri
   return array;
 }
 
+/// `own`, then what `of_mesh` gives for each mesh.
+template <class T, class OfMesh>
+Buffer joined(const SharedList<T>& own, const Scene& scene, const OfMesh& of_mesh) {
+  if (scene.instanced.empty()) return Buffer::of(std::span(own));
+  std::vector<T> all(own.begin(), own.end());
+  for (const auto& mesh : scene.instanced) {
+    const SharedList<T>& more = of_mesh(*mesh);
+    all.insert(all.end(), more.begin(), more.end());
+  }
+  return Buffer::of(std::span<const T>(all));
+}
+
+Buffer joined_positions(const Scene& scene) {
+  return joined(
+      scene.positions_world, scene, [](const InstancedMesh& mesh) -> auto& { return mesh.positions; });
+}
+
+Buffer joined_normals(const Scene& scene) {
+  if (!has_shading_normals(scene)) return Buffer(sizeof(float), &kNoNormal);
+  return joined(
+      scene.normals_world, scene, [](const InstancedMesh& mesh) -> auto& { return mesh.normals; });
+}
+
+Buffer joined_triangles(const Scene& scene) {
+  auto first_vertex = static_cast<uint32_t>(scene.positions_world.size());
+  SharedList<glm::uvec3> shifted;
+  return joined(
+      scene.triangles, scene, [&](const InstancedMesh& mesh) -> auto& {
+        std::vector<glm::uvec3> triangles(mesh.triangles.begin(), mesh.triangles.end());
+        for (glm::uvec3& t : triangles) t += first_vertex;
+        first_vertex += static_cast<uint32_t>(mesh.positions.size());
+        shifted = std::move(triangles);
+        return shifted;
+      });
+}
+
 }  // namespace
 
 IndexRanges::IndexRanges(std::span<const TriangleRange> triangles) {
@@ -34,16 +70,19 @@ size_t IndexRanges::triangle_count() const {
 }
 
 SceneBuffers::SceneBuffers(const Scene& scene)
-    : positions_(Buffer::of(std::span(scene.positions_world))),
-      triangles_(Buffer::of(std::span(scene.triangles))),
-      normals_(scene.normals_world.empty() ? Buffer(sizeof(float), &kNoNormal)
-                                           : Buffer::of(std::span(scene.normals_world))),
-      cutouts_(scene.cutouts.empty() ? nullptr : std::make_unique<const CutoutBuffers>(scene)),
+    : positions_(joined_positions(scene)),
+      triangles_(joined_triangles(scene)),
+      normals_(joined_normals(scene)),
+      cutouts_(count_shown_cutouts(scene) == 0 ? nullptr : std::make_unique<const CutoutBuffers>(scene)),
+      instances_(scene.instanced.empty() ? nullptr
+                                         : std::make_unique<const InstanceBuffers>(
+                                               scene, positions_, triangles_, cutouts_.get())),
       indexed_(make_indexed_vertex_array(positions_, triangles_)),
       pulled_(make_empty_vertex_array()),
-      triangle_count_(scene.triangles.size()),
+      own_count_(scene.triangles.size()),
       solid_count_(scene.first_cutout()),
-      has_normals_(!scene.normals_world.empty()) {}
+      shown_count_(count_shown_triangles(scene)),
+      has_normals_(has_shading_normals(scene)) {}
 
 void SceneBuffers::draw() const {
   glBindVertexArray(indexed_.id());
@@ -58,7 +97,7 @@ void SceneBuffers::draw(const IndexRanges& ranges) const {
 
 void SceneBuffers::draw_pulled() const {
   glBindVertexArray(pulled_.id());
-  glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(3 * triangle_count_));
+  glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(3 * own_count_));
 }
 
 void SceneBuffers::bind_storage() const {
@@ -66,10 +105,12 @@ void SceneBuffers::bind_storage() const {
   bind_storage_buffer(kTrianglesBinding, triangles_);
   bind_storage_buffer(kNormalsBinding, normals_);
   if (cutouts_) cutouts_->bind_storage();
+  if (instances_) instances_->bind_storage();
 }
 
 size_t SceneBuffers::bytes() const {
-  return positions_.bytes() + triangles_.bytes() + normals_.bytes() + (cutouts_ ? cutouts_->bytes() : 0);
+  return positions_.bytes() + triangles_.bytes() + normals_.bytes() + (cutouts_ ? cutouts_->bytes() : 0) +
+         (instances_ ? instances_->bytes() : 0);
 }
 
 }  // namespace umbrameter

@@ -3,6 +3,7 @@
 // A scene's triangles on the GPU, uploaded once.
 
 #include "realtime/harness/cutout_buffers.h"
+#include "realtime/harness/instance_buffers.h"
 #include "realtime/harness/objects.h"
 #include "realtime/views/casters.h"
 #include "scenes/scene.h"
@@ -26,23 +27,28 @@ struct IndexRanges {
   size_t triangle_count() const;
 };
 
+/// The scene's own vertices and triangles come first in every buffer, then mesh by mesh those that stand in several places,
+/// in their own space.
 class SceneBuffers {
  public:
   explicit SceneBuffers(const Scene& scene);
 
-  /// One indexed draw of every solid triangle; attribute location 0 = vec3 p_world. A program must be in use.
+  /// One indexed draw of every solid triangle of the scene's own; attribute location 0 = vec3 p_world. A program must be in use.
   void draw() const;
   /// The same of these triangles alone, in one call; gl_PrimitiveID starts anew in each range.
   void draw(const IndexRanges& ranges) const;
-  /// One draw of 3 * triangle_count vertices without attributes, for shaders that pull from the storage
-  /// buffers.
+  /// One draw of three vertices for each triangle of the scene's own, without attributes, for shaders that pull from the
+  /// storage buffers.
   void draw_pulled() const;
+  /// Null for a scene without.
+  const InstanceBuffers* instances() const { return instances_.get(); }
   /// The triangles with holes; null for a scene without.
   const CutoutBuffers* cutouts() const { return cutouts_.get(); }
   /// Binds the storage buffers.
   void bind_storage() const;
 
-  size_t triangle_count() const { return triangle_count_; }
+  /// Shown ones (scenes/instances.h).
+  uint64_t triangle_count() const { return shown_count_; }
   bool has_normals() const { return has_normals_; }
   size_t bytes() const;
 
@@ -51,10 +57,12 @@ class SceneBuffers {
   Buffer triangles_;
   Buffer normals_;
   std::unique_ptr<const CutoutBuffers> cutouts_;
+  std::unique_ptr<const InstanceBuffers> instances_;
   VertexArray indexed_;
   VertexArray pulled_;
-  size_t triangle_count_ = 0;
+  size_t own_count_ = 0;
   size_t solid_count_ = 0;
+  uint64_t shown_count_ = 0;
   bool has_normals_ = false;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "realtime/views/nearest_caster.h"
 
+#include "scenes/instances.h"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -50,22 +52,39 @@ double nearest_inside(const std::array<glm::dvec3, 3>& triangle, const SidePlane
   return nearest;
 }
 
+/// Whether the instance's box reaches into the planes, nearer than `nearest`.
+bool may_be_nearer(const Instance& instance, const glm::dmat4& light_from_world, const SidePlanes& planes,
+                   double nearest) {
+  const Bounds3 bounds = instance.bounds_world();
+  std::array<glm::dvec3, 8> corners;
+  for (size_t k = 0; k < 8; ++k) {
+    const glm::dvec3 p((k & 1) != 0 ? bounds.max.x : bounds.min.x, (k & 2) != 0 ? bounds.max.y : bounds.min.y,
+                       (k & 4) != 0 ? bounds.max.z : bounds.min.z);
+    corners[k] = glm::dvec3(light_from_world * glm::dvec4(p, 1.0));
+  }
+  if (std::ranges::all_of(corners, [&](const glm::dvec3& p) { return p.z >= nearest; })) return false;
+  return std::ranges::none_of(planes, [&](const glm::dvec4& plane) {
+    return std::ranges::all_of(corners, [&](const glm::dvec3& p) { return side(plane, p) < 0.0; });
+  });
+}
+
 double nearest_caster(const Scene& scene, const glm::dmat4& light_from_world, const SidePlanes& planes,
                       double far) {
   const glm::dvec4 z_row(light_from_world[0][2], light_from_world[1][2], light_from_world[2][2],
                          light_from_world[3][2]);
   double nearest = far;
-  for (const glm::uvec3& triangle : scene.triangles) {
-    const std::array<glm::vec3, 3> p_world{scene.positions_world[triangle.x],
-                                           scene.positions_world[triangle.y],
-                                           scene.positions_world[triangle.z]};
-    const auto not_nearer = [&](const glm::vec3& p) { return side(z_row, glm::dvec3(p)) >= nearest; };
-    if (std::all_of(p_world.begin(), p_world.end(), not_nearer)) continue;
+  const auto take = [&](const std::array<glm::dvec3, 3>& p_world) {
+    const auto not_nearer = [&](const glm::dvec3& p) { return side(z_row, p) >= nearest; };
+    if (std::all_of(p_world.begin(), p_world.end(), not_nearer)) return;
     std::array<glm::dvec3, 3> p_light;
-    for (size_t i = 0; i < 3; ++i) {
-      p_light[i] = glm::dvec3(light_from_world * glm::dvec4(glm::dvec3(p_world[i]), 1.0));
-    }
+    for (size_t i = 0; i < 3; ++i) p_light[i] = glm::dvec3(light_from_world * glm::dvec4(p_world[i], 1.0));
     nearest = nearest_inside(p_light, planes, nearest);
+  };
+  const auto& p = scene.positions_world;
+  for (const glm::uvec3& t : scene.triangles) take({p[t.x], p[t.y], p[t.z]});
+  for (const Instance& instance : list_instances(scene)) {
+    if (!may_be_nearer(instance, light_from_world, planes, nearest)) continue;
+    for (uint32_t t = 0; t < instance.mesh->triangles.size(); ++t) take(instance.corners_world(t));
   }
   return nearest;
 }

@@ -3,6 +3,7 @@
 
 #include "core/error.h"
 #include "scenes/file_ending.h"
+#include "scenes/instances.h"
 #include "scenes/primitives.h"
 #include "scenes/read_mask.h"
 
@@ -50,11 +51,16 @@ class AssimpReader {
     scene_ = importer_.ReadFile(path_.string(), steps);
     if (scene_ == nullptr || scene_->mRootNode == nullptr)
       fail(fmt::format("the file cannot be read: {}", importer_.GetErrorString()));
-    read_node(*scene_->mRootNode, glm::dmat4(1.0), 0);
+    walk_node(*scene_->mRootNode, glm::dmat4(1.0), 0);
+    for (const Shown& shown : shown_) read_shown(shown);
     names_.require_all_seen(path_);
     if (triangle_count_ == 0) fail("the file has no triangles");
     say_what_is_left_out();
-    MeshData mesh = assemble_mesh(primitives_, std::move(masks_));
+    MeshData mesh = assemble_mesh(primitives_, masks_);
+    for (const auto& [source, repeated] : repeated_) {
+      mesh.repeated.push_back({assemble_mesh({repeated}, masks_), places_[source]});
+      keep_used_masks(mesh.repeated.back().mesh);
+    }
     mesh.side_files = std::move(side_files_);
     return mesh;
   }
@@ -62,7 +68,13 @@ class AssimpReader {
  private:
   [[noreturn]] void fail(const std::string& message) const { fail_input(message, {path_.string()}); }
 
-  void read_node(const aiNode& node, const glm::dmat4& world_from_parent, int depth) {
+  struct Shown {
+    const aiMesh* mesh;
+    const aiNode* node;
+    glm::dmat4 world_from_node;
+  };
+
+  void walk_node(const aiNode& node, const glm::dmat4& world_from_parent, int depth) {
     if (depth > kDeepest) fail(fmt::format("nodes are nested deeper than {}", kDeepest));
     const glm::dmat4 world_from_node = world_from_parent * matrix_of(node.mTransformation);
     for (int column = 0; column < 4; ++column) {
@@ -70,16 +82,33 @@ class AssimpReader {
       if (!(std::abs(values.x) + std::abs(values.y) + std::abs(values.z) < 1e30))
         fail(fmt::format("the transform of node '{}' is not finite", node.mName.C_Str()));
     }
-    for (unsigned int i = 0; i < node.mNumMeshes; ++i)
-      read_mesh(*scene_->mMeshes[node.mMeshes[i]], node, world_from_node);
+    for (unsigned int i = 0; i < node.mNumMeshes; ++i) {
+      const aiMesh& mesh = *scene_->mMeshes[node.mMeshes[i]];
+      if (!names_.keeps({material_of(mesh), mesh.mName.C_Str(), node.mName.C_Str()})) continue;
+      places_[&mesh].push_back(world_from_node);
+      shown_.push_back({&mesh, &node, world_from_node});
+      bones_ += mesh.HasBones() ? 1 : 0;
+    }
     for (unsigned int i = 0; i < node.mNumChildren; ++i)
-      read_node(*node.mChildren[i], world_from_node, depth + 1);
+      walk_node(*node.mChildren[i], world_from_node, depth + 1);
   }
 
-  void read_mesh(const aiMesh& source, const aiNode& node, const glm::dmat4& world_from_node) {
-    const std::string material = scene_->mMaterials[source.mMaterialIndex]->GetName().C_Str();
-    const std::string name = source.mName.C_Str();
-    if (!names_.keeps({material, name, node.mName.C_Str()})) return;
+  std::string material_of(const aiMesh& mesh) const {
+    return scene_->mMaterials[mesh.mMaterialIndex]->GetName().C_Str();
+  }
+
+  void read_shown(const Shown& shown) {
+    if (!is_kept_once(shown.mesh->mNumFaces, places_[shown.mesh])) {
+      primitives_.push_back(read_mesh(*shown.mesh, *shown.node, shown.world_from_node));
+      return;
+    }
+    const bool is_known =
+        std::ranges::any_of(repeated_, [&](const auto& one) { return one.first == shown.mesh; });
+    if (!is_known) repeated_.emplace_back(shown.mesh, read_mesh(*shown.mesh, *shown.node, glm::dmat4(1.0)));
+  }
+
+  Primitive read_mesh(const aiMesh& source, const aiNode& node, const glm::dmat4& world_from_mesh) {
+    const std::string material = material_of(source), name = source.mName.C_Str();
     Primitive made;
     made.label = !material.empty() ? material : !name.empty() ? name : node.mName.C_Str();
     made.has_normals = source.HasNormals();
@@ -97,12 +126,11 @@ class AssimpReader {
       if (face.mNumIndices == 3)
         made.triangles.emplace_back(face.mIndices[0], face.mIndices[1], face.mIndices[2]);
     }
-    bones_ += source.HasBones() ? 1 : 0;
     made.mask = mask_of(source.mMaterialIndex, made, has_uv);
-    place(made, world_from_node);
+    place(made, world_from_mesh);
     triangle_count_ += made.triangles.size();
     if (triangle_count_ > kMaxTriangles) fail(fmt::format("more than {} triangles", kMaxTriangles));
-    primitives_.push_back(std::move(made));
+    return made;
   }
 
   /// In masks_; absent for what is solid.
@@ -156,7 +184,10 @@ class AssimpReader {
   std::vector<std::string>& warnings_;
   Assimp::Importer importer_;
   const aiScene* scene_ = nullptr;
+  std::map<const aiMesh*, std::vector<glm::dmat4>> places_;
+  std::vector<Shown> shown_;
   std::vector<Primitive> primitives_;
+  std::vector<std::pair<const aiMesh*, Primitive>> repeated_;  // in their own space
   std::vector<AlphaMask> masks_;
   std::vector<std::filesystem::path> side_files_;
   std::map<unsigned int, std::optional<uint32_t>> mask_of_material_;

@@ -4,6 +4,7 @@
 #include "core/error.h"
 #include "scenes/gltf/gltf_mask.h"
 #include "scenes/gltf/tinygltf.h"
+#include "scenes/instances.h"
 #include "scenes/primitives.h"
 
 #include <cmath>
@@ -36,11 +37,17 @@ class GltfReader {
       : file_(file), model_(*file.model), names_(filter), warnings_(warnings) {}
 
   MeshData read() {
-    for (const GltfNode& node : file_.nodes) read_node(node);
+    for (const GltfNode& node : file_.nodes) note_node(node);
+    for (const Shown& shown : shown_) read_node(shown);
     say_what_is_left_out();
     names_.require_all_seen(file_.path);
     if (triangle_count_ == 0) fail_input("the file has no triangles", {file_.path.string()});
-    MeshData mesh = assemble_mesh(primitives_, std::move(masks_));
+    MeshData mesh = assemble_mesh(primitives_, masks_);
+    for (const std::vector<Primitive>& repeated : repeated_) {
+      const Places& places = *places_of_repeated_[mesh.repeated.size()];
+      mesh.repeated.push_back({assemble_mesh(repeated, masks_), places.world_from_mesh});
+      keep_used_masks(mesh.repeated.back().mesh);
+    }
     mesh.side_files = file_.side_files;
     return mesh;
   }
@@ -48,40 +55,101 @@ class GltfReader {
  private:
   [[noreturn]] void fail(const std::string& message) const { fail_input(message, {file_.path.string()}); }
 
-  void read_node(const GltfNode& node) {
-    const tinygltf::Node& source = model_.nodes[static_cast<size_t>(node.node)];
+  /// The primitives of a mesh that pass the filter, and where they all stand.
+  struct Places {
+    std::vector<glm::dmat4> world_from_mesh;
+    bool is_read = false;
+  };
+  struct Shown {
+    const GltfNode* node;
+    std::vector<size_t> primitives;  // of its mesh
+    Places* places;
+  };
+
+  const tinygltf::Node& source_of(const GltfNode& node) const {
+    return model_.nodes[static_cast<size_t>(node.node)];
+  }
+  const tinygltf::Mesh& mesh_of(const GltfNode& node) const {
+    return model_.meshes[static_cast<size_t>(source_of(node).mesh)];
+  }
+  static int mode_of(const tinygltf::Primitive& primitive) {
+    return primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
+  }
+  std::string material_of(const tinygltf::Primitive& source) const {
+    const bool has_material =
+        source.material >= 0 && static_cast<size_t>(source.material) < model_.materials.size();
+    return has_material ? model_.materials[static_cast<size_t>(source.material)].name : "";
+  }
+
+  void note_node(const GltfNode& node) {
+    const tinygltf::Node& source = source_of(node);
     if (source.mesh < 0) return;
     if (static_cast<size_t>(source.mesh) >= model_.meshes.size())
       fail(fmt::format("{} names mesh {}, but there are {}", gltf_node_name(file_, node.node), source.mesh,
                        model_.meshes.size()));
     if (source.skin >= 0) ++skins_;
-    const tinygltf::Mesh& mesh = model_.meshes[static_cast<size_t>(source.mesh)];
-    for (const tinygltf::Primitive& primitive : mesh.primitives)
-      read_primitive(primitive, mesh, source, node);
+    std::vector<size_t> kept;
+    const std::vector<tinygltf::Primitive>& primitives = mesh_of(node).primitives;
+    for (size_t i = 0; i < primitives.size(); ++i) {
+      if (keeps(primitives[i], node)) kept.push_back(i);
+    }
+    if (kept.empty()) return;
+    Places& places = places_[{source.mesh, kept}];
+    places.world_from_mesh.push_back(node.world_from_node);
+    shown_.push_back({&node, std::move(kept), &places});
   }
 
-  void read_primitive(const tinygltf::Primitive& source, const tinygltf::Mesh& mesh,
-                      const tinygltf::Node& owner, const GltfNode& node) {
-    const int mode = source.mode < 0 ? TINYGLTF_MODE_TRIANGLES : source.mode;
-    if (mode < TINYGLTF_MODE_TRIANGLES) {
+  bool keeps(const tinygltf::Primitive& source, const GltfNode& node) {
+    if (mode_of(source) < TINYGLTF_MODE_TRIANGLES) {
       ++lines_;
+      return false;
+    }
+    if (!names_.keeps({material_of(source), mesh_of(node).name, source_of(node).name})) return false;
+    if (!source.targets.empty()) ++morphs_;
+    return true;
+  }
+
+  /// As far as it can be told without reading them.
+  uint64_t triangles_in(const Shown& shown) const {
+    uint64_t count = 0;
+    for (const size_t i : shown.primitives) {
+      const tinygltf::Primitive& primitive = mesh_of(*shown.node).primitives[i];
+      const int* position = find(primitive, "POSITION");
+      const int accessor = primitive.indices >= 0 || position == nullptr ? primitive.indices : *position;
+      if (accessor < 0 || static_cast<size_t>(accessor) >= model_.accessors.size()) continue;
+      const size_t corners = model_.accessors[static_cast<size_t>(accessor)].count;
+      count += mode_of(primitive) == TINYGLTF_MODE_TRIANGLES ? corners / 3 : corners;
+    }
+    return count;
+  }
+
+  void read_node(const Shown& shown) {
+    if (!is_kept_once(triangles_in(shown), shown.places->world_from_mesh)) {
+      for (const size_t i : shown.primitives)
+        primitives_.push_back(
+            read_primitive(mesh_of(*shown.node).primitives[i], *shown.node, shown.node->world_from_node));
       return;
     }
-    const bool has_material =
-        source.material >= 0 && static_cast<size_t>(source.material) < model_.materials.size();
-    const std::string material =
-        has_material ? model_.materials[static_cast<size_t>(source.material)].name : "";
-    if (!names_.keeps({material, mesh.name, owner.name})) return;
-    if (!source.targets.empty()) ++morphs_;
+    if (shown.places->is_read) return;
+    shown.places->is_read = true;
+    std::vector<Primitive>& repeated = repeated_.emplace_back();
+    for (const size_t i : shown.primitives)
+      repeated.push_back(read_primitive(mesh_of(*shown.node).primitives[i], *shown.node, glm::dmat4(1.0)));
+    places_of_repeated_.push_back(shown.places);
+  }
+
+  Primitive read_primitive(const tinygltf::Primitive& source, const GltfNode& node,
+                           const glm::dmat4& world_from_mesh) {
+    const std::string material = material_of(source), mesh = mesh_of(node).name;
     Primitive made;
-    made.label = !material.empty() ? material : !mesh.name.empty() ? mesh.name : owner.name;
+    made.label = !material.empty() ? material : !mesh.empty() ? mesh : source_of(node).name;
     read_vertices(source, node, made);
-    read_triangles(source, mode, node, made);
+    read_triangles(source, mode_of(source), node, made);
     read_holes(source, made);
-    place(made, node.world_from_node);
+    place(made, world_from_mesh);
     triangle_count_ += made.triangles.size();
     if (triangle_count_ > kMaxTriangles) fail(fmt::format("more than {} triangles", kMaxTriangles));
-    primitives_.push_back(std::move(made));
+    return made;
   }
 
   const int* find(const tinygltf::Primitive& source, const std::string& name) const {
@@ -163,7 +231,11 @@ class GltfReader {
   NameFilter names_;
   std::vector<std::string>& warnings_;
   std::vector<AlphaMask> masks_;
+  std::map<std::pair<int, std::vector<size_t>>, Places> places_;  // by mesh and primitives
+  std::vector<Shown> shown_;                                      // in the order of the nodes
   std::vector<Primitive> primitives_;
+  std::vector<std::vector<Primitive>> repeated_;  // in their meshes' own space
+  std::vector<const Places*> places_of_repeated_;
   std::map<int, std::optional<std::pair<uint32_t, GltfHoles>>> holes_;  // by material; with the mask's index
   size_t triangle_count_ = 0;
   size_t lines_ = 0, skins_ = 0, morphs_ = 0;

@@ -41,9 +41,11 @@ class Importer {
         mesh_file_(mesh_file.empty() ? path.filename() : mesh_file) {
     std::vector<std::string> ignored;  // said when the mesh is loaded
     const MeshData mesh = load_gltf_mesh(file_, {}, ignored);
-    for (const dvec3& p : mesh.positions) {
-      bounds_.min = glm::min(bounds_.min, p);
-      bounds_.max = glm::max(bounds_.max, p);
+    for (const dvec3& p : mesh.positions) grow_bounds(p);
+    for (const RepeatedMesh& repeated : mesh.repeated) {
+      for (const glm::dmat4& place : repeated.world_from_mesh) {
+        for (const dvec3& p : repeated.mesh.positions) grow_bounds(dvec3(place * glm::dvec4(p, 1.0)));
+      }
     }
   }
 
@@ -58,6 +60,11 @@ class Importer {
   }
 
  private:
+  void grow_bounds(const dvec3& p) {
+    bounds_.min = glm::min(bounds_.min, p);
+    bounds_.max = glm::max(bounds_.max, p);
+  }
+
   const tinygltf::Node& source(const GltfNode& node) const {
     return model_.nodes[static_cast<size_t>(node.node)];
   }

@@ -6,6 +6,7 @@
 #include "lab/renamed_progress.h"
 #include "lab/score.h"
 #include "results/guard.h"
+#include "scenes/instances.h"
 #include "study/study_camera.h"
 
 #include <fmt/format.h>
@@ -37,7 +38,7 @@ BenchScene describe(const StudyScene& job) {
   scene.title = job.scene.title;
   scene.hash = job.scene.hash;
   scene.light = to_text(job.scene.light().type);
-  scene.triangles = job.scene.triangles.size();
+  scene.triangles = count_shown_triangles(job.scene);
   scene.warnings = job.scene.warnings;
   return scene;
 }

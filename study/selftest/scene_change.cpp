@@ -25,6 +25,7 @@ bool is_in(const MeshPart& part, size_t triangle) {
 
 template <class Keep>
 Scene only(Scene scene, const Keep& keep) {
+  UMBRAMETER_ASSERT(scene.instanced.empty(), "scene '{}' has instances", scene.name);
   std::vector<glm::uvec3> kept;
   std::vector<Cutout> cutouts;
   for (size_t i = 0; i < scene.triangles.size(); ++i) {

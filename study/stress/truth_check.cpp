@@ -13,6 +13,7 @@ namespace {
 ReceiverPoint point_of(const Scene& scene, const Image& reference, size_t pixel) {
   const auto width = static_cast<size_t>(reference.width);
   const glm::dvec2 p_px(static_cast<double>(pixel % width) + 0.5, static_cast<double>(pixel / width) + 0.5);
+  UMBRAMETER_ASSERT(scene.instanced.empty(), "scene '{}' has instances", scene.name);
   const auto triangle = static_cast<uint32_t>(reference.plane("primitive_id")[pixel]);
   const glm::dvec3 direction =
       camera_ray_direction_world(scene.camera, p_px, reference.width, reference.height);

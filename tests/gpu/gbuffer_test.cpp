@@ -68,7 +68,7 @@ TEST_F(GBufferTest, AFloorSeenFromAboveLiesWherePixelCentresSay) {
 
 TEST_F(GBufferTest, BackFacesAreSeenWithTheirNormalTurnedToTheCamera) {
   Scene scene = floor_from_above();
-  for (glm::uvec3& triangle : scene.triangles) std::swap(triangle.x, triangle.y);
+  for (glm::uvec3& triangle : scene.triangles.edit()) std::swap(triangle.x, triangle.y);
   const Image image = draw(scene, 8, 8);
   EXPECT_EQ(vector_at(image, "normal", 3 * 8 + 3), glm::dvec3(0, 1, 0));
 }
@@ -106,8 +106,9 @@ Scene dust(size_t count) {
   for (size_t i = 0; i < count; ++i) {
     const glm::dvec3 middle = point();
     const auto first = static_cast<uint32_t>(scene.positions_world.size());
-    for (int corner = 0; corner < 3; ++corner) scene.positions_world.emplace_back(middle + 0.03 * point());
-    scene.triangles.emplace_back(first, first + 1, first + 2);
+    for (int corner = 0; corner < 3; ++corner)
+      scene.positions_world.edit().emplace_back(middle + 0.03 * point());
+    scene.triangles.edit().emplace_back(first, first + 1, first + 2);
   }
   scene.camera.eye_world = {0.2, 0.1, 5.0};
   scene.camera.at_world = {0, 0, 0};
@@ -159,7 +160,7 @@ TEST_F(GBufferTest, ShadingNormalsAreInterpolatedAndStayOnTheGeometricSide) {
   Scene scene = floor_from_above();
   // Normals that lean away from the middle, turned upside down: they must come back on the camera's side.
   for (const glm::vec3& p : scene.positions_world) {
-    scene.normals_world.push_back(-glm::normalize(glm::vec3(p.x, 2.0f, p.z)));
+    scene.normals_world.edit().push_back(-glm::normalize(glm::vec3(p.x, 2.0f, p.z)));
   }
   const Image image = draw(scene, 16, 16);
   const size_t i = 5 * 16 + 9;

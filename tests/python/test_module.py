@@ -87,6 +87,7 @@ class Module(unittest.TestCase):
         kept = um.truth(self.scene, samples=8, width=16, height=9)["visibility"]
         self.assertTrue(np.isfinite(kept).all())
         self.assertEqual(self.scene.triangles.shape[1], 3)
+        self.assertEqual(self.scene.instance_count, 0)
         self.assertLess(self.scene.triangles.max(), len(self.scene.positions_world))
 
     def test_parameters_and_presets(self):

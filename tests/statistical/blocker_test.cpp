@@ -46,7 +46,7 @@ TEST(Blocker, a_closed_box_is_one_layer_whichever_way_it_is_wound) {
     const size_t first = scene.triangles.size();
     add_box(scene, {-2, 1.0, -2}, {2, 1.5, 2});
     for (size_t k = first; inside_out && k < scene.triangles.size(); ++k) {
-      std::swap(scene.triangles[k].y, scene.triangles[k].z);
+      std::swap(scene.triangles.edit()[k].y, scene.triangles.edit()[k].z);
     }
     finish_scene(scene);
     const Frame frame = render_reference(scene, {.side_px = 8});

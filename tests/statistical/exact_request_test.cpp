@@ -83,7 +83,7 @@ TEST(ExactRequest, WhatIsCutShortOrForeignIsRefused) {
   EXPECT_THAT(problem(file), HasSubstr("no request of this version"));
   EXPECT_THAT(problem(folder.path() / "none"), HasSubstr("cannot be read"));
   Scene broken = plate();
-  broken.triangles.front().y = 1u << 20;
+  broken.triangles.edit().front().y = 1u << 20;
   write_exact_request(file, broken, receivers(), 0);
   EXPECT_THAT(problem(file), HasSubstr("corner that is not there"));
 }

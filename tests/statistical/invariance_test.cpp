@@ -50,16 +50,17 @@ double rms_difference(const Frame& a, const Frame& b) {
 /// Four triangles for each, cut at the middles of its edges.
 Scene split_scene(const Scene& scene) {
   Scene split = scene;
-  split.triangles.clear();
+  std::vector<glm::uvec3> triangles;
   for (const glm::uvec3& t : scene.triangles) {
     const auto first = static_cast<uint32_t>(split.positions_world.size());
     for (int k = 0; k < 3; ++k) {
       const glm::dvec3 a = scene.positions_world[t[k]], b = scene.positions_world[t[(k + 1) % 3]];
-      split.positions_world.emplace_back(0.5 * (a + b));
+      split.positions_world.edit().emplace_back(0.5 * (a + b));
     }
     const glm::uvec3 m{first, first + 1, first + 2};
-    split.triangles.insert(split.triangles.end(), {{t.x, m.x, m.z}, {m.x, t.y, m.y}, {m.z, m.y, t.z}, m});
+    triangles.insert(triangles.end(), {{t.x, m.x, m.z}, {m.x, t.y, m.y}, {m.z, m.y, t.z}, m});
   }
+  split.triangles = std::move(triangles);
   finish_scene(split);
   return split;
 }
@@ -71,8 +72,8 @@ glm::dvec3 mirrored(glm::dvec3 v) {
 
 Scene mirrored_scene(const Scene& scene) {
   Scene mirror = scene;
-  for (glm::vec3& p : mirror.positions_world) p.x = -p.x;
-  for (glm::uvec3& t : mirror.triangles) std::swap(t.y, t.z);
+  for (glm::vec3& p : mirror.positions_world.edit()) p.x = -p.x;
+  for (glm::uvec3& t : mirror.triangles.edit()) std::swap(t.y, t.z);
   mirror.camera.eye_world = mirrored(scene.camera.eye_world);
   mirror.camera.at_world = mirrored(scene.camera.at_world);
   Light& light = mirror.lights[0];

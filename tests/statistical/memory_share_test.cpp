@@ -11,8 +11,8 @@ namespace umbrameter {
 namespace {
 
 template <class T>
-uint64_t bytes_of(const std::vector<T>& items) {
-  return items.capacity() * sizeof(T);
+uint64_t bytes_of(const SharedList<T>& items) {
+  return items.size() * sizeof(T);
 }
 
 TEST(MemoryShare, is_at_most_two_and_a_half_times_that_of_embrees_tree_and_mesh) {

@@ -85,8 +85,8 @@ TEST(Metamorphic, scaling_by_a_power_of_two_changes_no_bit_of_visibility) {
 TEST(Metamorphic, triangle_order_does_not_matter) {
   const Scene scene = cluttered_scene();
   Scene reversed = scene;
-  std::ranges::reverse(reversed.triangles);
-  for (glm::uvec3& t : reversed.triangles) t = {t.y, t.z, t.x};
+  std::ranges::reverse(reversed.triangles.edit());
+  for (glm::uvec3& t : reversed.triangles.edit()) t = {t.y, t.z, t.x};
   const Frame a = render_reference(scene);
   const Frame b = render_reference(reversed);
   EXPECT_LT(rms_difference(a, b), 0.1 * rms_se(a));
@@ -103,7 +103,7 @@ TEST(Metamorphic, triangle_order_does_not_matter) {
 TEST(Metamorphic, winding_does_not_matter) {
   const Scene scene = cluttered_scene();
   Scene turned = scene;
-  for (glm::uvec3& t : turned.triangles) std::swap(t.y, t.z);
+  for (glm::uvec3& t : turned.triangles.edit()) std::swap(t.y, t.z);
   EXPECT_LT(rms_difference(render_reference(scene), render_reference(turned)),
             0.1 * rms_se(render_reference(scene)));
 }

@@ -38,9 +38,9 @@ void add_cutout_card(Scene& scene, const AlphaMask& mask, const glm::dvec2& size
       const glm::dvec3 p(scene.positions_world[scene.triangles[t][c]]);
       cutout.uv[static_cast<size_t>(c)] = glm::vec2(p.x / period_world, p.z / period_world);
     }
-    scene.cutouts.push_back(cutout);
+    scene.cutouts.edit().push_back(cutout);
   }
-  scene.masks.push_back(mask);
+  scene.masks.edit().push_back(mask);
 }
 
 }  // namespace umbrameter

@@ -16,7 +16,7 @@ namespace umbrameter {
 namespace {
 
 uint32_t add_vertex(Scene& scene, const glm::dvec3& p) {
-  scene.positions_world.emplace_back(p);
+  scene.positions_world.edit().emplace_back(p);
   return static_cast<uint32_t>(scene.positions_world.size() - 1);
 }
 
@@ -36,8 +36,8 @@ void add_quad(Scene& scene, const glm::dvec3& a, const glm::dvec3& b, const glm:
   add_vertex(scene, b);
   add_vertex(scene, c);
   add_vertex(scene, d);
-  scene.triangles.emplace_back(first, first + 1, first + 2);
-  scene.triangles.emplace_back(first, first + 2, first + 3);
+  scene.triangles.edit().emplace_back(first, first + 1, first + 2);
+  scene.triangles.edit().emplace_back(first, first + 2, first + 3);
 }
 
 void add_floor(Scene& scene, const glm::dvec2& size, double y, const glm::dvec2& center_xz) {
@@ -65,7 +65,7 @@ void add_disk(Scene& scene, const glm::dvec3& center, double radius, int corners
     add_vertex(scene, center + radius * glm::dvec3(std::cos(angle_rad), 0.0, -std::sin(angle_rad)));
   }
   const auto rim = [&](int i) { return middle + 1 + static_cast<uint32_t>(i % corners); };
-  for (int i = 0; i < corners; ++i) scene.triangles.emplace_back(middle, rim(i), rim(i + 1));
+  for (int i = 0; i < corners; ++i) scene.triangles.edit().emplace_back(middle, rim(i), rim(i + 1));
 }
 
 void add_sphere(Scene& scene, const glm::dvec3& center, double radius, int rings) {
@@ -85,9 +85,9 @@ void add_sphere(Scene& scene, const glm::dvec3& center, double radius, int rings
   };
   for (int ring = 0; ring < rings; ++ring) {
     for (int s = 0; s < segments; ++s) {
-      if (ring > 0) scene.triangles.emplace_back(at(ring, s), at(ring + 1, s), at(ring, s + 1));
+      if (ring > 0) scene.triangles.edit().emplace_back(at(ring, s), at(ring + 1, s), at(ring, s + 1));
       if (ring + 1 < rings) {
-        scene.triangles.emplace_back(at(ring, s + 1), at(ring + 1, s), at(ring + 1, s + 1));
+        scene.triangles.edit().emplace_back(at(ring, s + 1), at(ring + 1, s), at(ring + 1, s + 1));
       }
     }
   }
@@ -156,8 +156,8 @@ Scene moved_scene(const Scene& scene, const glm::dmat4& moved_from_world) {
   const auto point = [&](const glm::dvec3& p) { return glm::dvec3(moved_from_world * glm::dvec4(p, 1.0)); };
   const auto vector = [&](const glm::dvec3& v) { return glm::normalize(glm::dmat3(moved_from_world) * v); };
   Scene moved = scene;
-  for (glm::vec3& p : moved.positions_world) p = point(p);
-  for (glm::vec3& n : moved.normals_world) n = vector(n);
+  for (glm::vec3& p : moved.positions_world.edit()) p = point(p);
+  for (glm::vec3& n : moved.normals_world.edit()) n = vector(n);
   moved.camera.eye_world = point(scene.camera.eye_world);
   moved.camera.at_world = point(scene.camera.at_world);
   moved.camera.up_world = vector(scene.camera.up_world);

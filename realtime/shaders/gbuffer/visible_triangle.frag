@@ -10,6 +10,9 @@ flat in vec3 a_view;
 flat in vec3 b_view;
 flat in vec3 c_view;
 flat in uint triangle;
+#ifdef HAS_INSTANCES
+flat in uint cutout_record;
+#endif
 
 layout(location = 0) out uint out_primitive_id;
 
@@ -40,7 +43,11 @@ void main() {
   float distance_world = dot(weights, vec3(a_view.z, b_view.z, c_view.z)) / sum;
   if (!(distance_world > forward_world.w)) discard;
 #ifdef HAS_CUTOUTS
+#ifdef HAS_INSTANCES
+  if (cutout_record != 0u && is_hole_of_record(cutout_record, weights / sum)) discard;
+#else
   if (is_hole_of(triangle, weights / sum)) discard;
+#endif
 #endif
   out_primitive_id = triangle;
   gl_FragDepth = forward_world.w / distance_world;

@@ -2,6 +2,11 @@
 // Pulls triangles and makes each a little larger on screen, so that the rasteriser, which snaps vertices to a grid,
 // offers every pixel whose centre the triangle may cover. The fragment shader decides exactly.
 #include "camera.glsl"
+#ifdef HAS_INSTANCES
+#include "instances.glsl"
+layout(location = 3) in uint instance_of_vertex;  // const: instance_buffers.h
+flat out uint cutout_record;                      // 0: solid
+#endif
 
 flat out vec3 a_view;
 flat out vec3 b_view;
@@ -10,7 +15,11 @@ flat out uint triangle;
 
 // The same operations for the same vertex in every triangle: shared edges must stay shared.
 vec3 scaled_view_of(uint vertex) {
+#ifdef HAS_INSTANCES
+  precise vec3 from_eye = place_world(instances[instance_of_vertex], position_world(vertex)) - frame.eye_world.xyz;
+#else
   precise vec3 from_eye = position_world(vertex) - frame.eye_world.xyz;
+#endif
   precise vec3 p_view = vec3(dot(right_world.xyz, from_eye) / right_world.w,
                              dot(up_world.xyz, from_eye) / up_world.w, dot(forward_world.xyz, from_eye));
   return p_view;
@@ -76,9 +85,24 @@ vec2 corner_ndc(vec3 corners_view[3], int corner) {
   return grown_corner_px(p_px[corner], p_px[before], p_px[after], screen_px.z) / half_screen_px;
 }
 
-void main() {
+// Says which triangle is drawn; returns where it is stored.
+uint take_triangle() {
   triangle = uint(gl_VertexID) / 3u;
-  uvec3 corners = corners_of(triangle);
+#ifdef HAS_INSTANCES
+  InstanceRecord instance = instances[instance_of_vertex];
+  uint of_mesh = triangle;
+  triangle = instance.first_shown + of_mesh;
+  const uint kRecordWords = 7u;  // const: cutout.glsl
+  cutout_record =
+      of_mesh < instance.first_cutout ? 0u : instance.first_record + kRecordWords * (of_mesh - instance.first_cutout);
+  return instance.first_triangle + of_mesh;
+#else
+  return triangle;
+#endif
+}
+
+void main() {
+  uvec3 corners = corners_of(take_triangle());
   a_view = scaled_view_of(corners.x);
   b_view = scaled_view_of(corners.y);
   c_view = scaled_view_of(corners.z);

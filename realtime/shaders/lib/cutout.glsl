@@ -16,12 +16,16 @@ vec2 cutout_uv_of_corner(uint record, uint corner) {
   return uintBitsToFloat(uvec2(cutout_words[record + 2u * corner], cutout_words[record + 2u * corner + 1u]));
 }
 
+const uint kRecordWords = 7u;  // const: three corners of two words, and the mask
+
 // `weights`: of the triangle's corners, with sum 1.
-bool is_hole_of(uint triangle, vec3 weights) {
-  const uint kRecordWords = 7u;  // const: three corners of two words, and the mask
-  if (triangle < cutout_words[0]) return false;
-  uint record = 1u + kRecordWords * (triangle - cutout_words[0]);
+bool is_hole_of_record(uint record, vec3 weights) {
   vec2 uv = weights.x * cutout_uv_of_corner(record, 0u) + weights.y * cutout_uv_of_corner(record, 1u) +
             weights.z * cutout_uv_of_corner(record, 2u);
   return is_hole(cutout_words[record + kRecordWords - 1u], uv);
+}
+
+bool is_hole_of(uint triangle, vec3 weights) {
+  if (triangle < cutout_words[0]) return false;
+  return is_hole_of_record(1u + kRecordWords * (triangle - cutout_words[0]), weights);
 }

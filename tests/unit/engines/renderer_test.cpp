@@ -219,7 +219,7 @@ TEST_F(EngineRendererTest, FinishedPicturesLieInTheFolder) {
 
 TEST_F(EngineRendererTest, CutOutsAreRefused) {
   Scene scene = triangle();
-  scene.cutouts.push_back({});
+  scene.cutouts.edit().push_back({});
   EXPECT_THAT(
       [&] {
         renderer().render(scene, {.width_px = 7, .height_px = 5, .technique = "tried", .parameters = {}},

@@ -16,12 +16,12 @@ namespace {
 void add_quad(Scene& scene, const glm::vec3& corner, const glm::vec3& u, const glm::vec3& v) {
   const auto first = static_cast<uint32_t>(scene.positions_world.size());
   for (const glm::vec3& p : {corner, corner + u, corner + u + v, corner + v}) {
-    scene.positions_world.push_back(p);
+    scene.positions_world.edit().push_back(p);
     scene.bounds_world.min = glm::min(scene.bounds_world.min, glm::dvec3(p));
     scene.bounds_world.max = glm::max(scene.bounds_world.max, glm::dvec3(p));
   }
-  scene.triangles.emplace_back(first, first + 1, first + 2);
-  scene.triangles.emplace_back(first, first + 2, first + 3);
+  scene.triangles.edit().emplace_back(first, first + 1, first + 2);
+  scene.triangles.edit().emplace_back(first, first + 2, first + 3);
 }
 
 Light light_above(LightType type) {
@@ -202,7 +202,7 @@ TEST(sample_view, of_the_sun_looks_along_the_sampled_direction) {
 TEST(sun_view, stays_well_conditioned_far_from_the_origin) {
   Scene scene = plate_scene(LightType::sun);
   const glm::vec3 shift(10000, 500, -20000);
-  for (glm::vec3& p : scene.positions_world) p += shift;
+  for (glm::vec3& p : scene.positions_world.edit()) p += shift;
   scene.bounds_world.min += glm::dvec3(shift);
   scene.bounds_world.max += glm::dvec3(shift);
   const ReceiverTile tile{glm::vec3(-1, 0, -1) + shift, glm::vec3(2, 0, 2) + shift};

@@ -19,12 +19,12 @@ constexpr glm::ivec2 kScreen(160, 90);
 void add_quad(Scene& scene, const glm::vec3& corner, const glm::vec3& u, const glm::vec3& v) {
   const auto first = static_cast<uint32_t>(scene.positions_world.size());
   for (const glm::vec3& p : {corner, corner + u, corner + u + v, corner + v}) {
-    scene.positions_world.push_back(p);
+    scene.positions_world.edit().push_back(p);
     scene.bounds_world.min = glm::min(scene.bounds_world.min, glm::dvec3(p));
     scene.bounds_world.max = glm::max(scene.bounds_world.max, glm::dvec3(p));
   }
-  scene.triangles.emplace_back(first, first + 1, first + 2);
-  scene.triangles.emplace_back(first, first + 2, first + 3);
+  scene.triangles.edit().emplace_back(first, first + 1, first + 2);
+  scene.triangles.edit().emplace_back(first, first + 2, first + 3);
 }
 
 /// A lamp at (1, 2, 3), a floor at y = 0 and a plate 0.5 beside the lamp.

@@ -58,13 +58,13 @@ TEST(CheckScene, OpenAndInvertedMeshes) {
   EXPECT_THAT(found_in({.mesh = kBox + "\nscale = [1, 1, 1]"}), IsEmpty());
   Scene scene = SceneText{.mesh = "name = \"ball\"\nshape = \"sphere\"\nradius = 1\nsegments = 16"}.parse();
   const Scene whole = scene;
-  for (glm::uvec3& t : scene.triangles) std::swap(t.x, t.y);
+  for (glm::uvec3& t : scene.triangles.edit()) std::swap(t.x, t.y);
   EXPECT_THAT(check_scene(scene), ElementsAre("'ball' is inside out: its triangles face inwards"));
   scene.camera.eye_world = {0, 0.1, 0};
   scene.camera.at_world = {1, 0.1, 0};
   EXPECT_THAT(check_scene(scene), IsEmpty()) << "a room";
   scene = whole;
-  scene.triangles.pop_back();
+  scene.triangles.edit().pop_back();
   --scene.parts.back().triangle_count;
   EXPECT_THAT(
       check_scene(scene),

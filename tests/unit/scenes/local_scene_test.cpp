@@ -18,7 +18,7 @@ Scene scene_at(const glm::dvec3& offset_world) {
   light.center_world = offset_world + glm::dvec3(0, 4, 0);
   scene.lights = {light};
   for (const glm::dvec3& p : {glm::dvec3(-4, 0, 4), glm::dvec3(4.1, 0.3, 4), glm::dvec3(0.1, 2, -4.7)}) {
-    scene.positions_world.emplace_back(offset_world + p);
+    scene.positions_world.edit().emplace_back(offset_world + p);
     scene.bounds_world.min = glm::min(scene.bounds_world.min, glm::dvec3(scene.positions_world.back()));
     scene.bounds_world.max = glm::max(scene.bounds_world.max, glm::dvec3(scene.positions_world.back()));
   }
