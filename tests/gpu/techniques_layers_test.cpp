@@ -222,6 +222,15 @@ TEST(hard_cascades, of_one_map_are_the_hard_shadow) {
   EXPECT_GT(std::ranges::count(one, 0.0f), 2000);
 }
 
+TEST(cascades, say_which_map_each_pixel_is_looked_up_in) {
+  UMBRAMETER_REQUIRE_GL();
+  const Frame frame = render(long_scene(), "hard_cascades", cascades(3));
+  const auto map = frame.image.plane("map_index"), id = frame.image.plane("primitive_id");
+  for (size_t i = 0; i < map.size(); ++i) ASSERT_EQ(map[i] < 0.0f, id[i] < 0.0f) << i;
+  for (const float index : {0.0f, 1.0f, 2.0f}) EXPECT_GT(std::ranges::count(map, index), 100) << index;
+  EXPECT_FALSE(render(long_scene(), "hard_cascades", cascades(1)).image.has("map_index"));
+}
+
 TEST(pcss_cascades, are_within_001_of_the_half_plane_under_a_sun) {
   UMBRAMETER_REQUIRE_GL();
   const Light light = light_at_4(LightType::sun, 1.0);
