@@ -65,6 +65,8 @@ constexpr const char* kHdrpRequest =
     "com.unity.render-pipelines.high-definition/HDGpuLightsBuilder, dirLightPCSSDepth2RadialScale";
 constexpr const char* kFilamentOptions = "filament/filament/include/filament/LightManager.h, ShadowOptions";
 
+constexpr const char* kMoments2015 = "Peters and Klein, I3D 2015: 16 bits";
+constexpr const char* kMoments2017 = "Peters et al., JCGT 6(1), code of the demo";
 const SourceConstant kConstants[] = {
     {"pcf_disk", "paper-d", "radius_texels", 0.002, kSternaTexels, kSternaMain},
     {"pcf_disk", "paper-d", "bias_texels", 2.0, kSternaTexelsPerUnit, kSternaMask},
@@ -167,6 +169,12 @@ const SourceConstant kConstants[] = {
     {"pcss_cone", "unity-hdrp", "max_offset_share", 0.25, 1, kHdrpSampling},
     {"pcss_cone", "unity-hdrp", "light_size_scale", 1, 2, kHdrpRequest},
     {"pcss_cone", "unity-hdrp", "normal_offset_texels", 0.75, std::numbers::sqrt2, kHdrpLight},
+    {"msm4", "peters-klein-2015", "moment_bias", 3e-5, 1, kMoments2015},
+    {"msm4", "peters-klein-2015", "bias_even_moments", 1, 1, kMoments2015},  // halves at both ends of [0, 1]
+    {"msm4", "peters-2017", "moment_bias", 6e-5, 1, kMoments2017},
+    {"msm4", "peters-2017", "bias_even_moments", 0.628, 1, kMoments2017},
+    {"msm4", "peters-2017-128", "moment_bias", 3e-7, 1, kMoments2017},
+    {"msm4", "peters-2017-128", "bias_even_moments", 0.375, 1, kMoments2017},
     {"esm", "paper-a", "exponent", 100, 1, "Araujo, listing 4"},
     {"esm", "paper-a", "full_shadow_at", 0.5, 1, "Araujo, listing 4"},
     {"pcss_esm", "paper-a", "exponent", 100, 1, "Araujo, listing 4"},
@@ -232,6 +240,11 @@ const SourceChoice kChoices[] = {
     {"dpcf", "filament-lamp", "ratio", "distance"},
     {"dpcf", "filament-sun", "ratio", "stored_depth"},
     {"pcss_cone", "unity-hdrp", "normal_offset_form", "constant"},
+    {"msm4", "peters-klein-2015", "moment_format", "rgba16"},
+    {"msm4", "peters-klein-2015", "quantisation", "peters_klein_2015"},
+    {"msm4", "peters-2017", "moment_format", "rgba16"},
+    {"msm4", "peters-2017", "quantisation", "peters_2017"},
+    {"msm4", "peters-2017-128", "moment_format", "rgba32f"},
     {"esm", "paper-a", "depth_form", "stored"},
     {"pcss_esm", "paper-a", "depth_form", "stored"},
     {"pcss_vsm", "paper-a", "depth_form", "stored"},
