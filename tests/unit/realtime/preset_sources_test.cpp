@@ -189,6 +189,10 @@ const SourceConstant kConstants[] = {
     {"smrt", "unreal", "sun_slope_world", 5, kMetresOfCentimetres, kUnreal},
     {"smrt", "unreal", "own_texel_bias", 2, 1,
      "VirtualShadowMapProjectionSpot.ush, ComputeOptimalSlopeBiasLocal"},
+    {"contact_shadows", "filament", "steps", 8, 1, kFilamentOptions},
+    {"contact_shadows", "filament", "length_world", 0.3, 1, kFilamentOptions},
+    {"contact_shadows", "filament", "thickness_steps", 1, 2, kFilament},  // within a tolerance of its middle
+    {"contact_shadows", "filament", "own_plane_px", 0, 1, kFilament},
     {"esm", "paper-a", "exponent", 100, 1, "Araujo, listing 4"},
     {"esm", "paper-a", "full_shadow_at", 0.5, 1, "Araujo, listing 4"},
     {"pcss_esm", "paper-a", "exponent", 100, 1, "Araujo, listing 4"},
