@@ -33,8 +33,8 @@ struct RenderRequest {
 /// reference: visibility, visibility_se, half_a, half_b, irradiance_ratio, irradiance_ratio_se, irradiance_half_a,
 ///   irradiance_half_b, sample_count, blocker_distance, blocker_distance_min, blocker_distance_p10, blocker_layers,
 ///   blocker_offset.x/y/z (from the receiver), penumbra_width, contact_distance.
-/// real time: visibility; where one map is drawn from the light's centre also texel.x/y (the point's place in
-///   that map, in texels), texel_world (width of a texel facing the light there), maybe bias_world; 0 = no hit.
+/// real time: visibility; of maps drawn from the light's centre texel.x/y (the point's place in its map, in texels), texel_world
+///   (width of a texel facing the light there), maybe bias_world; 0 = no hit. Of several map_index, the point's; -1 = none.
 struct Frame {
   Image image;
   ParameterValues parameters;  // the complete set that was used

@@ -306,6 +306,10 @@ class GlRenderer final : public Renderer {
       add_texel_planes(plan.center_views, frame.image);
       add_bias_plane(frame.parameters, frame.image);
     }
+    if (plan.center_views.size() > 1) {
+      const Image indices = map_indices(plan.center_views, frame.image);
+      std::ranges::copy(indices.plane("Y"), frame.image.add_plane("map_index").begin());
+    }
     std::vector<LightView> maps;
     for (const FittedView& fitted : plan.center_views) maps.push_back(fitted.view);
     if (maps.empty() && plan.sample_view) maps.push_back(plan.sample_view->view);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "results/measured_rows.h"
 
+#include "metrics/map_seam.h"
 #include "metrics/worst_pixels.h"
 
 namespace umbrameter {
@@ -14,6 +15,14 @@ std::vector<Metric> measured_rows() {
        .doc = "root mean square of V - R over the hundredth of the pixels that is farthest off",
        .measure =
            [](const MetricInputs& in) { return measure_worst_pixels(in.test, in.reference, in.mask); }},
+      {.key = "map_seam",
+       .label = "seams between maps",
+       .group = "error",
+       .unit = "visibility",
+       .doc = "step of V - R where one cascade or face ends and the next begins, beyond the steps beside it",
+       .better = Better::nearest_zero,
+       .form = MetricForm::signed_error,
+       .measure = [](const MetricInputs& in) { return measure_map_seam(in.test, in.reference, in.mask); }},
   };
   for (Metric& row : rows) {
     row.of = [key = row.key](const TechniqueResult& run) -> std::optional<double> {

@@ -36,7 +36,8 @@ constexpr std::array kShadowChannels = {"visibility",
                                         "texel.x",
                                         "texel.y",
                                         "texel_world",
-                                        "bias_world"};
+                                        "bias_world",
+                                        "map_index"};
 
 std::string text_of(const TechniqueChoice& choice) {
   return choice.technique + " " + to_text(choice.parameters);

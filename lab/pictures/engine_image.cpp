@@ -25,7 +25,8 @@ constexpr double kSwappedShare =
     0.002;                             // of the scorable pixels, at least that many are brighter with shadows
 constexpr double kSwappedRatio = 4.0;  // and that many times as many as darker ones
 constexpr double kSwappedShadow = 0.1;  // and so much less of the light is seen there than elsewhere
-constexpr std::array<const char*, 4> kBeside = {"texel.x", "texel.y", "texel_world", "bias_world"};
+constexpr std::array<const char*, 5> kBeside = {"texel.x", "texel.y", "texel_world", "bias_world",
+                                                "map_index"};
 
 /// 255 when every number is a multiple of 1/255, as in files of 16 bits made from 8.
 double step_of(const ImagePart& part, const std::vector<std::string>& channels) {

@@ -28,7 +28,8 @@ double bytes_of(const ResourceDeclaration& resource, const ExpressionVariables& 
                         : resource.layers.is_empty()       ? 1.0
                                                            : resource.layers.evaluate(variables);
   const double texels = resource.width.evaluate(variables) * resource.height.evaluate(variables) * layers;
-  const double bytes = texels * find_texture_format(resource.format, resource.where).bytes_per_texel;
+  const TextureFormat& format = find_texture_format(resource.format(variables), resource.where);
+  const double bytes = texels * format.bytes_per_texel;
   return std::isfinite(bytes) ? std::max(bytes, 0.0) : 0.0;
 }
 

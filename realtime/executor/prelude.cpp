@@ -117,7 +117,7 @@ std::string samplers(const PreludeInputs& inputs) {
 }
 
 std::string_view output_type(const TextureFormat& format) {
-  if (format.is_integer) return "uint";
+  if (format.is_integer) return format.components == 1 ? "uint" : "uvec2";
   if (format.components == 1) return "float";
   return format.components == 2 ? "vec2" : "vec4";
 }

@@ -62,7 +62,7 @@ Targets::Targets(const RunInputs& inputs, const ExpressionVariables& variables)
 }
 
 void Targets::add_resource(const ResourceDeclaration& resource, const ExpressionVariables& variables) {
-  const TextureFormat& format = find_texture_format(resource.format, resource.where);
+  const TextureFormat& format = find_texture_format(resource.format(variables), resource.where);
   const int width = side(resource, resource.width, variables, "width");
   const int height = side(resource, resource.height, variables, "height");
   const int levels = count(resource, resource.levels, variables, "levels");

@@ -12,7 +12,10 @@ namespace umbrameter {
 
 struct ResourceDeclaration {
   std::string name;
-  std::string format;  // a name of texture_formats() in realtime/harness/objects.h
+  /// Names of texture_formats() in realtime/harness/objects.h. Several are the choices of `format_parameter`, alike but for
+  /// their bits.
+  std::vector<std::string> formats;
+  std::string format_parameter;
   TextureKind kind = TextureKind::flat;
   Expression width, height;
   Expression layers;                       // of an array
@@ -23,6 +26,12 @@ struct ResourceDeclaration {
   bool compare = false;  // depth comparison sampler (sampler2DShadow and its kin, GEQUAL: reversed depth)
   Expression condition;
   FileLocation where;
+
+  /// The format that the parameters choose.
+  const std::string& format(const ExpressionVariables& variables) const {
+    return format_parameter.empty() ? formats.front()
+                                    : formats.at(static_cast<size_t>(variables.at(format_parameter)));
+  }
 };
 
 }  // namespace umbrameter

@@ -12,20 +12,24 @@ namespace umbrameter {
 
 namespace {
 
-constexpr std::array<TextureFormat, 13> kFormats = {{
+constexpr std::array<TextureFormat, 17> kFormats = {{
     {"depth32f", GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, 1, 4, true, false},
     {"depth24", GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_FLOAT, 1, 4, true, false},
     {"depth16", GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT, GL_FLOAT, 1, 2, true, false},
     {"r8", GL_R8, GL_RED, GL_FLOAT, 1, 1, false, false},
+    {"r16", GL_R16, GL_RED, GL_FLOAT, 1, 2, false, false},
     {"r16f", GL_R16F, GL_RED, GL_FLOAT, 1, 2, false, false},
     {"r32f", GL_R32F, GL_RED, GL_FLOAT, 1, 4, false, false},
     {"rg8", GL_RG8, GL_RG, GL_FLOAT, 2, 2, false, false},
+    {"rg16", GL_RG16, GL_RG, GL_FLOAT, 2, 4, false, false},
     {"rg16f", GL_RG16F, GL_RG, GL_FLOAT, 2, 4, false, false},
     {"rg32f", GL_RG32F, GL_RG, GL_FLOAT, 2, 8, false, false},
     {"rgba8", GL_RGBA8, GL_RGBA, GL_FLOAT, 4, 4, false, false},
+    {"rgba16", GL_RGBA16, GL_RGBA, GL_FLOAT, 4, 8, false, false},
     {"rgba16f", GL_RGBA16F, GL_RGBA, GL_FLOAT, 4, 8, false, false},
     {"rgba32f", GL_RGBA32F, GL_RGBA, GL_FLOAT, 4, 16, false, false},
     {"r32ui", GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, 1, 4, false, true},
+    {"rg32ui", GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT, 2, 8, false, true},
 }};
 
 void require_size(int width, int height, const std::string& name, const FileLocation& where) {
@@ -169,8 +173,8 @@ void clear_texture(const Texture& texture, std::span<const double> value) {
   const auto at = [&](size_t i) { return value[std::min(i, value.size() - 1)]; };
   const TextureFormat& format = texture.format();
   if (format.is_integer) {
-    const auto texel = static_cast<GLuint>(at(0));
-    glClearTexImage(texture.id(), 0, format.format, format.type, &texel);
+    const std::array<GLuint, 2> texel = {static_cast<GLuint>(at(0)), static_cast<GLuint>(at(1))};
+    glClearTexImage(texture.id(), 0, format.format, format.type, texel.data());
     return;
   }
   const std::array<float, 4> texel = {static_cast<float>(at(0)), static_cast<float>(at(1)),

@@ -58,12 +58,27 @@ void check_identifiers(const Technique& technique) {
   claim_loops(identifiers, technique.passes);
 }
 
+/// The first of a resource's formats. Shaders are written for one kind of texel.
+const TextureFormat& alike_formats(const ResourceDeclaration& resource) {
+  const TextureFormat& first = find_texture_format(resource.formats.front(), resource.where);
+  for (const std::string& name : resource.formats) {
+    const TextureFormat& other = find_texture_format(name, resource.where);
+    if (other.components == first.components && other.is_depth == first.is_depth &&
+        other.is_integer == first.is_integer)
+      continue;
+    fail_input(fmt::format("resource '{}' may be {} or {}, which shaders read in two ways", resource.name,
+                           first.name, name),
+               resource.where, "the formats of one resource have as many channels of one kind");
+  }
+  return first;
+}
+
 /// Walks the passes in the order they run and remembers what has happened so far.
 class PassChecker {
  public:
   explicit PassChecker(const Technique& technique) : technique_(technique) {
     for (const ResourceDeclaration& resource : technique.resources) {
-      formats_[resource.name] = &find_texture_format(resource.format, resource.where);
+      formats_[resource.name] = &alike_formats(resource);
       if (resource.kind != TextureKind::flat) layered_.insert(resource.name);
       known_writes_.push_back(resource.name);
     }

@@ -57,6 +57,21 @@ void check_fit(Manifest& manifest, const TomlReader& reader, const std::string& 
               fmt::format("{} or the name of a choice parameter", fmt::join(known, ", ")));
 }
 
+/// The name of a format, or of a choice parameter among formats.
+void read_format(Manifest& manifest, TomlReader& reader, ResourceDeclaration& resource) {
+  const std::string format = reader.text("format");
+  resource.formats = {format};
+  for (const Parameter& parameter : manifest.technique.parameters) {
+    if (parameter.name != format) continue;
+    if (parameter.type != ParameterType::choice)
+      reader.fail("format", fmt::format("parameter '{}' cannot be a format", format),
+                  "it must be a choice among formats");
+    resource.formats = parameter.choices;
+    resource.format_parameter = format;
+    manifest.expression_names.insert(format);
+  }
+}
+
 /// What a face covers is known: a right angle.
 void read_coverage(Manifest& manifest, TomlReader& reader, ViewDeclaration& view, const Names& scope) {
   if (view.from == ViewOrigin::light_face) {
@@ -135,7 +150,7 @@ ResourceDeclaration read_resource(Manifest& manifest, const TomlNode& table, con
   ResourceDeclaration resource;
   resource.where = table.where;
   resource.name = read_name(reader, "name");
-  resource.format = reader.text("format");
+  read_format(manifest, reader, resource);
   resource.kind = read_enum<TextureKind>(reader, "kind", kTextureKinds);
   resource.width = require_expression(manifest, reader, "width", scope);
   resource.height = require_expression(manifest, reader, "height", scope);

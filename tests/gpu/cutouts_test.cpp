@@ -68,6 +68,7 @@ TEST(every_technique, lets_light_through_holes) {
   UMBRAMETER_REQUIRE_GL();
   const double share = hole_share(kLeaves);
   for (const Technique& technique : techniques()) {
+    if (technique.views.empty()) continue;  // draws nothing from the light: the camera does not see the card
     const Light light =
         light_at_4(technique.supports(LightType::rect) ? LightType::rect : technique.lights.front(), 0.5);
     const double holes =

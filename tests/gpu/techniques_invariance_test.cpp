@@ -151,8 +151,8 @@ TEST(every_technique, picture_does_not_depend_on_what_was_rendered_before) {
 // --- what a set of parameters needs, from the manifest alone ---
 
 const std::map<std::string, uint64_t> kTexelBytes = {
-    {"depth32f", 4}, {"r8", 1},    {"r16f", 2},    {"r32f", 4},     {"rg16f", 4},
-    {"rg32f", 8},    {"rgba8", 4}, {"rgba16f", 8}, {"rgba32f", 16}, {"r32ui", 4}};
+    {"depth32f", 4}, {"r8", 1},      {"r16f", 2},     {"r32f", 4},  {"rg16f", 4},  {"rg32f", 8},
+    {"rgba8", 4},    {"rgba16f", 8}, {"rgba32f", 16}, {"r32ui", 4}, {"rgba16", 8}, {"rg32ui", 8}};
 
 ExpressionVariables variables_for(const Technique& technique, const ParameterValues& values) {
   ExpressionVariables variables = parameter_variables(technique.parameters, values);
@@ -193,9 +193,10 @@ uint64_t bytes_of(const ResourceDeclaration& resource, const ExpressionVariables
   const auto layers = resource.kind == TextureKind::cube
                           ? uint64_t{6}
                           : static_cast<uint64_t>(value_or(resource.layers, variables, 1));
-  const uint64_t texel = kTexelBytes.at(resource.format);
+  const std::string& format = resource.format(variables);
+  const uint64_t texel = kTexelBytes.at(format);
   const uint64_t several = samples > 1 ? samples * width * height * texel : 0;
-  if (several > 0 && resource.format == "depth32f") return several;  // is not resolved
+  if (several > 0 && format == "depth32f") return several;  // is not resolved
   uint64_t bytes = 0;
   for (int level = 0; level < levels; ++level) {
     bytes += width * height * layers * texel;
@@ -259,7 +260,7 @@ void expect_nothing_idle(const Technique& technique, const ParameterValues& valu
     if (!is_on(resource.condition, variables)) continue;
     const bool is_written =
         std::ranges::any_of(running, [&](const auto* pass) { return contains(pass->writes, resource.name); });
-    const bool is_depth_test = resource.format == "depth32f" && is_written;
+    const bool is_depth_test = resource.format(variables) == "depth32f" && is_written;
     EXPECT_TRUE(is_written && (is_depth_test || is_read(resource.name)))
         << what << ": resource " << resource.name << " is allocated for nothing";
   }

@@ -30,7 +30,8 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 const std::array<const char*, 3> kCubes = {"hard_cube", "pcf_cube", "pcss_cube"};
-const std::array<const char*, 3> kCascades = {"hard_cascades", "pcf_cascades", "pcss_cascades"};
+const std::array<const char*, 4> kCascades = {"hard_cascades", "pcf_cascades", "pcss_cascades",
+                                              "evsm_cascades"};
 
 /// The inside of a box of 4 m with a lamp off its middle; the camera in a corner sees floor, ceiling and four walls.
 Scene room(bool has_shelf) {
@@ -220,6 +221,25 @@ TEST(hard_cascades, of_one_map_are_the_hard_shadow) {
       visibility(scene, "hard_cascades", {{"cascade_count", int64_t{1}}, {"cascade_size", int64_t{1024}}});
   EXPECT_LT(mean_difference(single, one), 0.01);
   EXPECT_GT(std::ranges::count(one, 0.0f), 2000);
+}
+
+TEST(evsm_cascades, of_one_map_are_evsm) {
+  UMBRAMETER_REQUIRE_GL();
+  const Scene scene = half_plane_scene(light_at_4(LightType::sun, 0.5));
+  const auto single = visibility(scene, "evsm", {{"map_size", int64_t{512}}});
+  const auto one =
+      visibility(scene, "evsm_cascades", {{"cascade_count", int64_t{1}}, {"cascade_size", int64_t{512}}});
+  EXPECT_LT(mean_difference(single, one), 0.01);
+  EXPECT_GT(std::ranges::count_if(one, [](float v) { return v < 0.01f; }), 2000);
+}
+
+TEST(cascades, say_which_map_each_pixel_is_looked_up_in) {
+  UMBRAMETER_REQUIRE_GL();
+  const Frame frame = render(long_scene(), "hard_cascades", cascades(3));
+  const auto map = frame.image.plane("map_index"), id = frame.image.plane("primitive_id");
+  for (size_t i = 0; i < map.size(); ++i) ASSERT_EQ(map[i] < 0.0f, id[i] < 0.0f) << i;
+  for (const float index : {0.0f, 1.0f, 2.0f}) EXPECT_GT(std::ranges::count(map, index), 100) << index;
+  EXPECT_FALSE(render(long_scene(), "hard_cascades", cascades(1)).image.has("map_index"));
 }
 
 TEST(pcss_cascades, are_within_001_of_the_half_plane_under_a_sun) {

@@ -16,6 +16,12 @@ float normalized_distance(LightViewData view, float distance_world) {
   return clamp((distance_world - view.depth_range.x) / range_world(view), 0.0, 1.0);
 }
 
+/// The distance that normalized_distance turns back, within the range.
+float distance_of_normalized(LightViewData view, float z) {
+  if (DEPTH_FORM == DEPTH_FORM_STORED) return distance_of_depth(view, 1.0 - z);
+  return view.depth_range.x + z * range_world(view);
+}
+
 /// A world length as a difference of normalised distances about `distance_world`. Stored depth of a perspective view
 /// is f (z - n) / (z (f - n)), which rises by n f / (z^2 (f - n)).
 float normalized_length(LightViewData view, float length_world, float distance_world) {
@@ -40,6 +46,9 @@ float texel_variance_of(vec2 slope, float variance_per_slope2, float texel_norma
   vec2 limited = min(abs(slope), kMaxSlope * texel_normalized);
   return variance_per_slope2 * dot(limited, limited);
 }
+
+/// Moments of distances that are all farther by `shift`.
+vec2 shifted_moments(vec2 m, float shift) { return vec2(m.x + shift, m.y + shift * (2.0 * m.x + shift)); }
 
 /// Share of the filter not nearer than `z`, at most: Chebyshev's one-sided inequality. Exact when all that is nearer
 /// lies at one distance and the rest at z. `moments` = (mean, mean square).

@@ -6,9 +6,6 @@
 #include "pixel.glsl"
 #include "variance_bound.glsl"
 
-/// Moments of distances that are all farther by `shift`.
-vec2 shifted_moments(vec2 m, float shift) { return vec2(m.x + shift, m.y + shift * (2.0 * m.x + shift)); }
-
 /// Moments at one place of the map, as if the receiver's tangent plane were at the receiver's distance everywhere.
 vec2 moments_at(Receiver receiver, vec2 lateral) {
   vec2 read = texture(moments, texel_position(view_light, lateral) * moments_size.zw).rg;

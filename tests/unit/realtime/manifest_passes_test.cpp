@@ -38,6 +38,27 @@ TEST(Manifest, ResourcesMustBeReadAndWritten) {
               AllOf(HasSubstr("no resource"), HasSubstr("'shadow_map'")));
 }
 
+std::string manifest_with_depth_bits(const std::string& choices) {
+  const std::string parameter = "[[parameter]]\nname = \"bits\"\ntype = \"choice\"\nchoices = " + choices +
+                                "\ndefault = \"depth32f\"\nstage = \"host\"\ndoc = \"Bits.\"\n\n[[view]]";
+  return replaced(replaced(whole_manifest(), "[[view]]", parameter), "format = \"depth32f\"",
+                  "format = \"bits\"");
+}
+
+TEST(Manifest, AFormatMayBeAParameter) {
+  TechniqueFolder folder;
+  const ResourceDeclaration map =
+      load(folder, manifest_with_depth_bits("[\"depth16\", \"depth32f\"]")).resources.front();
+  EXPECT_EQ(map.format({{"bits", 0.0}}), "depth16");
+  EXPECT_EQ(map.format({{"bits", 1.0}}), "depth32f");
+  EXPECT_THAT(error_of(folder, manifest_with_depth_bits("[\"depth61\", \"depth32f\"]")),
+              HasSubstr("unknown texture format 'depth61'"));
+  EXPECT_THAT(error_of(folder, manifest_with_depth_bits("[\"r32f\", \"depth32f\"]")),
+              HasSubstr("shaders read in two ways"));
+  EXPECT_THAT(error_after("format = \"depth32f\"", "format = \"softness\""),
+              HasSubstr("parameter 'softness' cannot be a format"));
+}
+
 TEST(Manifest, DepthThatOnlyServesTheDepthTestNeedNotBeRead) {
   TechniqueFolder folder;
   folder.write("moments.frag", "void main() { out_moments = gl_FragCoord.z; }");

@@ -65,6 +65,13 @@ constexpr const char* kHdrpRequest =
     "com.unity.render-pipelines.high-definition/HDGpuLightsBuilder, dirLightPCSSDepth2RadialScale";
 constexpr const char* kFilamentOptions = "filament/filament/include/filament/LightManager.h, ShadowOptions";
 
+constexpr const char* kMoments2015 = "Peters and Klein, I3D 2015: 16 bits";
+constexpr const char* kMoments2017 = "Peters et al., JCGT 6(1), code of the demo";
+// Unreal Engine 5.3, in centimetres.
+constexpr double kMetresOfCentimetres = 0.01;
+constexpr const char* kUnreal =
+    "UnrealEngine/Engine/Source/Runtime/Renderer/Private/VirtualShadowMaps/VirtualShadowMapProjection.cpp";
+
 const SourceConstant kConstants[] = {
     {"pcf_disk", "paper-d", "radius_texels", 0.002, kSternaTexels, kSternaMain},
     {"pcf_disk", "paper-d", "bias_texels", 2.0, kSternaTexelsPerUnit, kSternaMask},
@@ -167,6 +174,25 @@ const SourceConstant kConstants[] = {
     {"pcss_cone", "unity-hdrp", "max_offset_share", 0.25, 1, kHdrpSampling},
     {"pcss_cone", "unity-hdrp", "light_size_scale", 1, 2, kHdrpRequest},
     {"pcss_cone", "unity-hdrp", "normal_offset_texels", 0.75, std::numbers::sqrt2, kHdrpLight},
+    {"msm4", "peters-klein-2015", "moment_bias", 3e-5, 1, kMoments2015},
+    {"msm4", "peters-klein-2015", "bias_even_moments", 1, 1, kMoments2015},  // halves at both ends of [0, 1]
+    {"msm4", "peters-2017", "moment_bias", 6e-5, 1, kMoments2017},
+    {"msm4", "peters-2017", "bias_even_moments", 0.628, 1, kMoments2017},
+    {"msm4", "peters-2017-128", "moment_bias", 3e-7, 1, kMoments2017},
+    {"msm4", "peters-2017-128", "bias_even_moments", 0.375, 1, kMoments2017},
+    {"smrt", "unreal", "rays", 7, 1, kUnreal},
+    {"smrt", "unreal", "samples", 8, 1, kUnreal},
+    {"smrt", "unreal", "max_ray_angle_rad", 0.03, 1, kUnreal},
+    {"smrt", "unreal", "sun_length", 1.5, 1, kUnreal},
+    {"smrt", "unreal", "texel_dither", 2, 1, kUnreal},
+    {"smrt", "unreal", "lamp_slope", 0.05, 1, kUnreal},
+    {"smrt", "unreal", "sun_slope_world", 5, kMetresOfCentimetres, kUnreal},
+    {"smrt", "unreal", "own_texel_bias", 2, 1,
+     "VirtualShadowMapProjectionSpot.ush, ComputeOptimalSlopeBiasLocal"},
+    {"contact_shadows", "filament", "steps", 8, 1, kFilamentOptions},
+    {"contact_shadows", "filament", "length_world", 0.3, 1, kFilamentOptions},
+    {"contact_shadows", "filament", "thickness_steps", 1, 2, kFilament},  // within a tolerance of its middle
+    {"contact_shadows", "filament", "own_plane_px", 0, 1, kFilament},
     {"esm", "paper-a", "exponent", 100, 1, "Araujo, listing 4"},
     {"esm", "paper-a", "full_shadow_at", 0.5, 1, "Araujo, listing 4"},
     {"pcss_esm", "paper-a", "exponent", 100, 1, "Araujo, listing 4"},
@@ -232,6 +258,14 @@ const SourceChoice kChoices[] = {
     {"dpcf", "filament-lamp", "ratio", "distance"},
     {"dpcf", "filament-sun", "ratio", "stored_depth"},
     {"pcss_cone", "unity-hdrp", "normal_offset_form", "constant"},
+    {"msm4", "peters-klein-2015", "moment_format", "rgba16"},
+    {"msm4", "peters-klein-2015", "quantisation", "peters_klein_2015"},
+    {"msm4", "peters-2017", "moment_format", "rgba16"},
+    {"msm4", "peters-2017", "quantisation", "peters_2017"},
+    {"msm4", "peters-2017-128", "moment_format", "rgba32f"},
+    {"smrt", "unreal", "ray_reach", "unreal"},
+    {"smrt", "unreal", "extrapolation", "true"},
+    {"smrt", "unreal", "receiver_plane", "none"},
     {"esm", "paper-a", "depth_form", "stored"},
     {"pcss_esm", "paper-a", "depth_form", "stored"},
     {"pcss_vsm", "paper-a", "depth_form", "stored"},
@@ -268,6 +302,7 @@ const SourceCount kCounts[] = {
     {"pcss_map_units", "bgfx", 16 + 16, "bgfx: 16 and 16"},
     {"pcss_map_units", "filament-sun", 16 + 4 * 16, "Filament: 16 and 16 bilinear"},
     {"dpcf", "filament-lamp", 12, "Filament: 12 for both"},
+    {"smrt", "unreal", 7 * (8 + 1), "Unreal: 7 rays of 8, and the receiver"},
     {"pcss_cone", "unity-hdrp", 24 + 4 * 16, "Unity HDRP: 24 and 16 bilinear"},
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The two warps of exponential variance shadow maps.
+// The two warps of exponential variance shadow maps, for techniques with the parameters of the group exponents.
 #include "moments.glsl"
 
 /// (exp(c+ t), -exp(-c- t)) of t = 2 z - 1: the first magnifies what is far, the second what is near.

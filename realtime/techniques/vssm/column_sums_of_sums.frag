@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+// The same again, four times as far apart.
+#include "sum_of_four.glsl"
+
+void main() { out_sums = sum_of_four(part_sums, ivec2(0, 1) << (4 * column_step + 2)); }  // const: two bits a pass
