@@ -13,6 +13,7 @@
 #include "reference/primary_hit.h"
 #include "reference/shadow_packet.h"
 #include "reference/shadow_sampler.h"
+#include "scenes/instances.h"
 #include "scenes/load_scene.h"
 #include "scenes/merge_meshes.h"
 #include "scenes/shapes.h"
@@ -273,8 +274,8 @@ void print_building() {
                        bytes_of(scene.normals_world) + bytes_of(scene.triangles);
   std::printf(
       "%zu triangles: Embree's tree and mesh %.1f MB, with our tree and scene %.1f MB: %.2f times as much\n",
-      scene.triangles.size(), 1e-6 * static_cast<double>(alone), 1e-6 * static_cast<double>(all),
-      static_cast<double>(all) / static_cast<double>(alone));
+      static_cast<size_t>(count_shown_triangles(scene)), 1e-6 * static_cast<double>(alone),
+      1e-6 * static_cast<double>(all), static_cast<double>(all) / static_cast<double>(alone));
 }
 
 }  // namespace

@@ -66,7 +66,8 @@ bool add_shaft(LightShafts& shafts, uint32_t i, const ShaftPixel& pixel) {
 
 struct Walk {
   const OccluderTree& tree;
-  const Scene& scene;
+  const glm::uvec3* triangles_of_scene;
+  const glm::vec3* positions;
   const LightShafts& shafts;
   uint32_t first_cutout;
   LaneMask used{};     // lanes that hold a pixel
@@ -82,8 +83,8 @@ UMBRAMETER_LANES void meet_leaf(Walk& walk, const OccluderLeaf& leaf) {
       for (uint32_t i = 0; i < kShafts; ++i) walk.lit[i] &= ~meets[i];
       continue;
     }
-    const glm::uvec3 index = walk.scene.triangles[leaf.triangles[k]];
-    const auto& positions = walk.scene.positions_world;
+    const glm::uvec3 index = walk.triangles_of_scene[leaf.triangles[k]];
+    const glm::vec3* positions = walk.positions;
     const LaneTriangle triangle =
         see_triangle(walk.shafts, positions[index.x], positions[index.y], positions[index.z]);
     const TriangleVerdict verdict = judge(walk.shafts, triangle);
@@ -162,7 +163,7 @@ std::array<LightProof, kShafts> prove_light(const OccluderTree& tree, const Scen
   std::array<LightProof, kShafts> proofs{};
   LightShafts shafts{};
   shafts.extent = static_cast<float>(scene_extent_world);
-  Walk walk{tree, scene, shafts, scene.first_cutout()};
+  Walk walk{tree, scene.triangles.data(), scene.positions_world.data(), shafts, scene.first_cutout()};
   bool any_shaft = false;
   for (uint32_t i = 0; i < pixels.size(); ++i) {
     if (is_below_horizon(pixels[i].patch)) {

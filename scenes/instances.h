@@ -54,7 +54,7 @@ bool has_shading_normals(const Scene& scene);
 
 /// What primitive_id says of a shown triangle.
 inline uint32_t shown_id(uint32_t shown_triangle) {
-  return shown_triangle % kMaxTriangles;
+  return shown_triangle % (kMaxTriangles + 1);
 }
 
 /// The same scene with a triangle of its own for everything shown, as it would be without instances; positions are rounded to

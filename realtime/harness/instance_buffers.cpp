@@ -56,7 +56,7 @@ VertexArray number_array() {
   return array;
 }
 
-void bind(const VertexArray& array, const InstanceSelection& selection) {
+void bind_selection(const VertexArray& array, const InstanceSelection& selection) {
   glVertexArrayVertexBuffer(array.id(), kNumbersSlot, selection.numbers.id(), 0, sizeof(uint32_t));
   glBindVertexArray(array.id());
 }
@@ -111,7 +111,7 @@ void InstanceBuffers::bind_storage() const {
 
 void InstanceBuffers::draw(const InstanceSelection& selection) const {
   bind_storage();
-  bind(solid_, selection);
+  bind_selection(solid_, selection);
   for (size_t i = 0; i < meshes_.size(); ++i) {
     const Mesh& mesh = meshes_[i];
     const InstanceSelection::Run& run = selection.runs[i];
@@ -124,7 +124,7 @@ void InstanceBuffers::draw(const InstanceSelection& selection) const {
 
 void InstanceBuffers::draw_cutouts(const InstanceSelection& selection) const {
   bind_storage();
-  bind(cutouts_, selection);
+  bind_selection(cutouts_, selection);
   for (size_t i = 0; i < meshes_.size(); ++i) {
     const Mesh& mesh = meshes_[i];
     const InstanceSelection::Run& run = selection.runs[i];
@@ -136,7 +136,7 @@ void InstanceBuffers::draw_cutouts(const InstanceSelection& selection) const {
 
 void InstanceBuffers::draw_pulled(const InstanceSelection& selection) const {
   bind_storage();
-  bind(pulled_, selection);
+  bind_selection(pulled_, selection);
   for (size_t i = 0; i < meshes_.size(); ++i) {
     const InstanceSelection::Run& run = selection.runs[i];
     if (run.count > 0)

@@ -145,6 +145,12 @@ TEST(Instances, RuleByCopiedTrianglesAndFlatPlaces) {
   EXPECT_FALSE(is_kept_once(kLeastCopiedTriangles, flat));
 }
 
+TEST(Instances, AreNumberedAsFarAsAFloatTells) {
+  EXPECT_EQ(shown_id(kMaxTriangles), kMaxTriangles);
+  EXPECT_EQ(shown_id(kMaxTriangles + 1), 0u);
+  EXPECT_EQ(shown_id(3 * (kMaxTriangles + 1) + 7), 7u);
+}
+
 TEST(Instances, ChangeTheHash) {
   const Scene scene = instanced_scene(kLamp);
   Scene without = scene;
