@@ -30,8 +30,8 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 const std::array<const char*, 3> kCubes = {"hard_cube", "pcf_cube", "pcss_cube"};
-const std::array<const char*, 4> kCascades = {"hard_cascades", "pcf_cascades", "pcss_cascades",
-                                              "evsm_cascades"};
+const std::array<const char*, 5> kCascades = {"hard_cascades", "pcf_cascades", "pcss_cascades",
+                                              "evsm_cascades", "smrt_cascades"};
 
 /// The inside of a box of 4 m with a lamp off its middle; the camera in a corner sees floor, ceiling and four walls.
 Scene room(bool has_shelf) {

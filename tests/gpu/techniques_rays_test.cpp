@@ -25,6 +25,16 @@ TEST(smrt, is_within_001_of_the_half_plane_and_the_plate) {
   EXPECT_LE(floor_error(render(plate_scene(), "smrt", kManyRays), plate_visibility).rmse, 0.01);
 }
 
+TEST(smrt_cascades, are_within_001_of_the_half_plane_under_a_sun) {
+  UMBRAMETER_REQUIRE_GL();
+  const Light light = light_at_4(LightType::sun, 1.0);
+  const Frame frame =
+      render(half_plane_scene(light), "smrt_cascades",
+             {{"cascade_size", int64_t{1024}}, {"rays", int64_t{64}}, {"samples", int64_t{32}}});
+  const auto truth = [&](const glm::dvec3& p) { return half_plane_visibility(light, p); };
+  EXPECT_LE(floor_error(frame, truth).rmse, 0.01);
+}
+
 TEST(smrt, counts_what_two_blockers_hide_once) {
   UMBRAMETER_REQUIRE_GL();
   // A second plate below the half plane's, well inside its shadow: mean distances err, rays do not.

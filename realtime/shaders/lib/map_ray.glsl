@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// A ray through the map. Lateral coordinates and stored depth change evenly along it together, for lamps too.
+// A ray through the map. Lateral coordinates and stored depth change evenly along it together, for lamps too. For techniques
+// with the parameters of the group map_rays; they say what the map holds: stored_depth().
 #include "shadow_map.glsl"
+
+/// Reversed, of the texel in the map; 0 for nothing.
+float stored_depth(ivec2 texel);
 
 struct MapRay {
   vec3 start;  // lateral coordinates and stored depth (reversed: nearer to the light is more) at the receiver
@@ -32,7 +36,9 @@ struct SeenSurface {
 /// Steepest change of stored depth along the whole ray that is gone on with.
 float steepest(LightViewData view, MapRay ray) {
   if (EXTRAPOLATION == 0) return 0.0;
+#ifdef LAMP_RAYS
   if (!is_orthographic(view)) return lamp_slope * abs(ray.step.z);
+#endif
   return sun_slope_world / (view.depth_range.y - view.depth_range.x);
 }
 
@@ -54,7 +60,7 @@ float own_depth(LightViewData view, Receiver receiver, ivec2 texel) {
 /// What stands at the far end of a ray that goes as far as blockers do: seen, but in nobody's way.
 SeenSurface seen_at_end(LightViewData view, Receiver receiver, MapRay ray) {
   ivec2 texel = texel_at(view, ray.start.xy + ray.step.xy);
-  float depth = is_in_map(view, texel) ? texelFetch(shadow_map, texel, 0).r : 0.0;
+  float depth = is_in_map(view, texel) ? stored_depth(texel) : 0.0;
   return SeenSurface(depth - own_depth(view, receiver, texel), 1.0, 0.0);
 }
 
@@ -77,7 +83,7 @@ bool is_stopped(LightViewData view, Receiver receiver, MapRay ray, float noise) 
     vec3 at = ray.start + time * ray.step;
     ivec2 texel = texel_at(view, at.xy);
     if (!is_in_map(view, texel)) continue;
-    float depth = texelFetch(shadow_map, texel, 0).r;
+    float depth = stored_depth(texel);
     float own = own_depth(view, receiver, texel);
     bool is_first = seen.time < 0.0;
     float thickness = is_first ? 1.0 : kTolerance * abs(at.z - before);
