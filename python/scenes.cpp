@@ -68,7 +68,8 @@ void add_scenes(py::module_& module) {
       .def_property_readonly("light_type",
                              [](const Scene& scene) { return std::string(to_text(scene.light().type)); })
       .def_property_readonly("eye_world", [](const Scene& scene) { return three(scene.camera.eye_world); })
-      .def_property_readonly("instance_count", [](const Scene& scene) { return list_instances(scene).size(); })
+      .def_property_readonly("instance_count",
+                             [](const Scene& scene) { return list_instances(scene).size(); })
       .def_property_readonly("positions_world",
                              [](const py::object& self) {
                                return rows_of_three(self, self.cast<const Scene&>().positions_world);
