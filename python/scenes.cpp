@@ -48,7 +48,8 @@ std::shared_ptr<Scene> load(const std::string& name_or_path, const std::string& 
       fail_input(fmt::format("scene '{}' has {} lights and none is chosen", scene.name, names.size()), {},
                  fmt::format("light= one of {}", fmt::join(names, ", ")));
     }
-    scene = lit_by(std::move(scene), find_light(scene.lights, light));
+    const size_t chosen = find_light(scene.lights, light);
+    scene = lit_by(std::move(scene), chosen);
   } else if (!light.empty()) {
     find_light(scene.lights, light);
   }

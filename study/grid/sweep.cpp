@@ -32,7 +32,7 @@ struct Truth {
 };
 
 /// The picture that verdicts are against.
-struct Baseline {
+struct BaselinePicture {
   std::string key;
   std::optional<StoredPicture> picture;  // absent: not stored
 };
@@ -46,7 +46,7 @@ struct SweepContext {
   ShareProgress progress;
   const SweepFailed& failed;
   Truth truth;
-  Baseline baseline;
+  BaselinePicture baseline;
   SweepOutcome outcome;
 };
 
@@ -121,7 +121,7 @@ Frame render_frames(SweepContext& context, const PlanStep& step, size_t baseline
 
 /// Counts which of the two is nearer to the truth.
 void judge(SweepContext& context, const RunRecord& record, const StoredPicture& picture) {
-  Baseline& baseline = context.baseline;
+  BaselinePicture& baseline = context.baseline;
   if (baseline.key != record.baseline)
     baseline = {record.baseline, find_picture(context.store, record.baseline)};
   if (!baseline.picture) return;
