@@ -25,7 +25,7 @@ namespace umbrameter {
 namespace {
 
 /// The truth of the scene at hand.
-struct Truth {
+struct SweptTruth {
   std::optional<size_t> scene;  // index; absent: none yet
   std::optional<Image> image;   // absent: it failed
   SharedTruth shared;           // between its runs
@@ -45,7 +45,7 @@ struct SweepContext {
   const std::filesystem::path& scratch;
   ShareProgress progress;
   const SweepFailed& failed;
-  Truth truth;
+  SweptTruth truth;
   BaselinePicture baseline;
   SweepOutcome outcome;
 };
