@@ -60,7 +60,8 @@ TEST_F(Commands, APlanNamesWhatRunsAndWhatIsSkippedAndWhy) {
   std::vector<std::string> skipped;
   for (const Json& skip : plan["skips"]) skipped.push_back(skip["technique"]);
   std::vector<std::string> without_sphere;
-  for (const Json& technique : Json::parse(umbrameter({"techniques", "--json"}).out)["techniques"]) {
+  const Json techniques = Json::parse(umbrameter({"techniques", "--json"}).out)["techniques"];
+  for (const Json& technique : techniques) {
     if (std::ranges::find(technique["lights"], Json("sphere")) == technique["lights"].end())
       without_sphere.push_back(technique["id"]);
   }
