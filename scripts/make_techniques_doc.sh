@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # make_techniques_doc.sh [FOLDER]: measures every technique on the built-in scenes and four real models, and writes
 # docs/techniques.md. Needs a build (scripts/build.sh ci) and UMBRAMETER_ASSETS. FOLDER keeps the results.
-# Half an hour on two cores of a software rasteriser.
+# Five minutes on two cores of a software rasteriser.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 program=build/ci/cli/umbrameter
