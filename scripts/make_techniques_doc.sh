@@ -16,6 +16,6 @@ for manifest in realtime/techniques/*/technique.toml; do
   [ "$id" = accumulate ] && id="accumulate:light_samples=16" # 64 maps of Sponza take half a minute a frame
   techniques+=(--technique "$id")
 done
-"$program" validate "${scenes[@]}" "${techniques[@]}" --quality quick --width 320 --height 180 --spp 256 --frames 3 \
+"$program" validate "${scenes[@]}" "${techniques[@]}" --quality quick --width 320 --height 180 --spp 256 --frames 3 --causes none \
   --out "$folder"
 "$program" techniques doc "$folder/results.json" --out docs/techniques.md
