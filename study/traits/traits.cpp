@@ -94,8 +94,8 @@ class TraitMeter {
     return !skip_reason(run, inputs_.scenes[scene].scene);
   }
 
-  double unexplained(const TechniqueRun& run) {
-    double worst = 0.0;
+  std::optional<double> unexplained(const TechniqueRun& run) {
+    std::optional<double> worst;
     for (const TraitScene scene : {kContact, kLayers}) {
       if (!supports(run, scene)) continue;
       const FaultNumbers faults = diagnosis(render(run, scene), scene).faults;
@@ -103,7 +103,7 @@ class TraitMeter {
       for (const FaultClass fault :
            {FaultClass::acne, FaultClass::bleed, FaultClass::geometric_leak, FaultClass::peter_panning})
         sum += faults.of(fault).mean_abs_error;
-      worst = std::max(worst, sum);
+      worst = std::max(worst.value_or(0.0), sum);
     }
     return worst;
   }
@@ -121,14 +121,16 @@ class TraitMeter {
     return pixels == 0 ? 0.0 : sum / static_cast<double>(pixels);
   }
 
-  double gray_share(const TechniqueRun& run) {
+  std::optional<double> gray_share(const TechniqueRun& run) {
+    if (!supports(run, kHardening)) return std::nullopt;
     const Image image = render(run, kHardening);
     const auto v = image.plane("visibility");
     return mean_in_penumbra(kHardening,
                             [&](size_t i) { return v[i] > kGrayLow && v[i] < kGrayHigh ? 1.0 : 0.0; });
   }
 
-  double seed_noise(const TechniqueRun& run) {
+  std::optional<double> seed_noise(const TechniqueRun& run) {
+    if (!supports(run, kHardening)) return std::nullopt;
     const Image a = render(run, kHardening, {}, 1);
     const Image b = render(run, kHardening, {}, 2);
     const auto va = a.plane("visibility");
@@ -138,6 +140,7 @@ class TraitMeter {
 
   /// Standard deviation of the edge's place along a round shadow, in world units.
   std::optional<double> stairs_world(const TechniqueRun& run) {
+    if (!supports(run, kRound)) return std::nullopt;
     const Image image = render(run, kRound, small_map(run));
     const Score score = score_image(image, reference(kRound), inputs_.scenes[kRound].scene.camera.eye_world);
     const PenumbraError penumbra = measure_penumbra(image, reference(kRound), score.mask);
@@ -169,15 +172,17 @@ class TraitMeter {
 
   /// Absent where the technique's penumbrae cannot be measured.
   std::optional<double> hardening_slope(const TechniqueRun& run) {
+    if (!supports(run, kHardening)) return std::nullopt;
     return diagnosis(render(run, kHardening), kHardening).contact_hardening.slope;
   }
 
-  double acne_without_bias(const TechniqueRun& run) {
-    double worst = 0.0;
+  std::optional<double> acne_without_bias(const TechniqueRun& run) {
+    std::optional<double> worst;
     for (const TraitScene scene : {kSlope, kTerminator}) {
       if (!supports(run, scene)) continue;
       const Image image = render(run, scene, inputs_.neutral_bias(run));
-      worst = std::max(worst, diagnosis(image, scene).faults.of(FaultClass::acne).mean_abs_error);
+      const double acne = diagnosis(image, scene).faults.of(FaultClass::acne).mean_abs_error;
+      worst = std::max(worst.value_or(0.0), acne);
     }
     return worst;
   }

@@ -201,6 +201,20 @@ TEST_F(GlCommands, AUsersFolderRunsBesideTheBuiltInTechnique) {
             techniques[1]["error"]["rmse"]);  // the same files, the same number
 }
 
+TEST_F(GlCommands, TraitsOfScenesThatATechniqueCannotLightAreNotMeasured) {
+  const Json answer =
+      Json::parse(umbrameter({"techniques", "traits", "hard", "hard_cascades", "--json"}).out);
+  const Json &hard = answer["traits"][0], &cascades = answer["traits"][1];
+  for (const char* trait : {"precise", "soft", "anti-aliased", "noise-free"}) {
+    EXPECT_TRUE(hard[trait]["value"].is_number()) << trait;
+    EXPECT_TRUE(cascades[trait]["value"].is_null())
+        << trait;  // a disk or a rect light; cascades are the sun's
+    EXPECT_TRUE(cascades[trait]["verdict"].is_null()) << trait;
+  }
+  EXPECT_TRUE(cascades["acne-free"]["value"].is_number());  // slanted_plane has a sun
+  EXPECT_EQ(cascades["failure"], "");
+}
+
 TEST_F(GlCommands, DoctorNamesDeviceTimerAndVersions) {
   const Json found = Json::parse(umbrameter({"doctor", "--json"}).out);
   EXPECT_FALSE(found["gl_devices"].empty());
