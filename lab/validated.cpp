@@ -10,16 +10,18 @@
 namespace umbrameter {
 namespace {
 
-/// As many frames as are wanted, or at least half of what the budget allows.
-bool has_enough_frames(const TechniqueResult& run, const ValidationPlan& plan) {
-  if (plan.timed_frames == 0) return true;
-  if (run.pass_times.empty()) return false;
-  const PassTime& total = run.pass_times.back();
-  const double spent_s = 1e-3 * total.median_ms * static_cast<double>(total.frames);
-  return static_cast<int>(total.frames) >= plan.timed_frames || spent_s >= 0.5 * plan.timing_budget_s;
-}
+constexpr double kSpentShare =
+    0.2;  // of the budget: its first frame, by which the others are counted, is the slowest
 
 }  // namespace
+
+bool has_enough_frames(const TechniqueResult& run, const TimingPlan& timing) {
+  if (timing.wanted_frames == 0) return true;
+  if (run.pass_times.empty()) return false;
+  const PassTime& total = run.pass_times.back();
+  const double spent_s = 1e-3 * total.median_ms * total.frames;
+  return total.frames >= timing.wanted_frames || spent_s >= kSpentShare * timing.budget_s;
+}
 
 std::optional<RunRecord> find_swept(LateStore& store, const std::string& run, const ValidationPlan& plan) {
   if (plan.maps || plan.temporal_frames > 0 || plan.limit_rmse) return std::nullopt;
@@ -27,7 +29,8 @@ std::optional<RunRecord> find_swept(LateStore& store, const std::string& run, co
   auto record = json ? parse_run_record(*json) : std::nullopt;
   if (!record || record->result.failure || !record->result.error) return std::nullopt;
   const bool lacks_faults = record->result.diagnosis && record->result.fault_picture_file.empty();
-  if (lacks_faults || !has_enough_frames(record->result, plan)) return std::nullopt;
+  if (lacks_faults || !has_enough_frames(record->result, {plan.timed_frames, plan.timing_budget_s}))
+    return std::nullopt;
   return record;
 }
 
@@ -35,7 +38,8 @@ void note_validated(Store& store, const std::string& run, const std::string& val
   store.put({validated_note_key(run), EntryKind::verdict, nlohmann::json{{"run", validated}}.dump()});
 }
 
-std::optional<RunRecord> find_validated(Store& store, const std::string& run, bool wants_times) {
+std::optional<RunRecord> find_validated(Store& store, const std::string& run,
+                                        const std::optional<TimingPlan>& timing) {
   const auto note = store.find(validated_note_key(run));
   const auto parsed = note ? nlohmann::json::parse(*note, nullptr, false) : nlohmann::json();
   const auto key = parsed.find("run");
@@ -43,7 +47,7 @@ std::optional<RunRecord> find_validated(Store& store, const std::string& run, bo
   const auto json = store.find(key->get<std::string>());
   auto record = json ? parse_run_record(*json) : std::nullopt;
   if (!record || record->result.failure || !record->result.error) return std::nullopt;
-  if (wants_times && record->result.pass_times.empty()) return std::nullopt;
+  if (timing && !has_enough_frames(record->result, *timing)) return std::nullopt;
   return record;
 }
 

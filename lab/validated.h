@@ -3,6 +3,7 @@
 // What `sweep` and `validate` keep of the same run differs: a sweep's has no pictures for people, a validation's no mask and no
 // baseline. Here each finds the other's, so that neither renders what the other has (docs/store.md).
 
+#include "lab/timing.h"
 #include "lab/validation.h"
 #include "lab/verdicts.h"
 #include "results/record.h"
@@ -13,15 +14,19 @@
 
 namespace umbrameter {
 
+/// As many as are wanted, or as the budget had room for.
+bool has_enough_frames(const TechniqueResult& run, const TimingPlan& timing);
+
 /// `run`: a run_key(). What a sweep keeps of it, where that answers all that `plan` asks for but pictures.
 std::optional<RunRecord> find_swept(LateStore& store, const std::string& run, const ValidationPlan& plan);
 
 /// Notes that a validation keeps `run` under `validated`, a validated_run_key().
 void note_validated(Store& store, const std::string& run, const std::string& validated);
 
-/// What a validation keeps of it; absent for failures, for runs that were not comparable, and without times where they are
-/// wanted.
-std::optional<RunRecord> find_validated(Store& store, const std::string& run, bool wants_times);
+/// What a validation keeps of it; absent for failures, for runs that were not comparable, and with fewer frames than
+/// has_enough_frames() asks for.
+std::optional<RunRecord> find_validated(Store& store, const std::string& run,
+                                        const std::optional<TimingPlan>& timing);
 
 /// Its picture as a sweep keeps it.
 StoredPicture swept_picture(const Store& store, const RunRecord& validated, const Image& truth,

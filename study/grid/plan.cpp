@@ -35,13 +35,16 @@ void decide_by_store(const Planner& planner, PlanStep& step) {
   const auto json = planner.store == nullptr ? std::nullopt : planner.store->find(step.key);
   auto stored = json ? parse_run_record(*json) : std::nullopt;
   if (!stored && planner.store != nullptr)
-    stored = find_validated(*planner.store, step.key, planner.plan.timing.has_value());
+    stored = find_validated(*planner.store, step.key, planner.plan.timing);
   if (!stored) return decide(step, StepAction::render, "not stored");
   const auto& failure = stored->result.failure;
   if (failure && failure->kind != ErrorKind::input)
     return decide(step, StepAction::render, "failed before: " + failure->message);
-  if (planner.plan.timing && !failure && stored->result.pass_times.empty())
-    return decide(step, StepAction::render, "stored without times");
+  const auto& timing = planner.plan.timing;
+  if (timing && !failure && !has_enough_frames(stored->result, *timing)) {
+    const bool has_times = !stored->result.pass_times.empty();
+    return decide(step, StepAction::render, has_times ? "stored with fewer frames" : "stored without times");
+  }
   const std::string date = stored->head.started.substr(0, kDateLength);
   decide(step, StepAction::reuse, fmt::format("{} on {}", failure ? "failed for good" : "stored", date));
 }

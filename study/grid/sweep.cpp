@@ -155,7 +155,7 @@ std::string baseline_key(const SweepContext& context, const PlanStep& step, cons
 /// A run that a validation has is kept as a sweep's, and compared with its baseline.
 bool take_validated(SweepContext& context, const PlanStep& step, const std::string& reference) {
   if (!context.plan.reuse) return false;
-  auto validated = find_validated(context.store, step.key, context.plan.timing.has_value());
+  auto validated = find_validated(context.store, step.key, context.plan.timing);
   if (!validated) return false;
   require_truth(context, step.scene, reference);
   if (!context.truth.image) return false;
@@ -221,7 +221,8 @@ bool take_stored(SweepContext& context, const PlanStep& step) {
   if (!stored) return false;
   const auto& failure = stored->result.failure;
   if (failure && failure->kind != ErrorKind::input) return false;
-  if (context.plan.timing && !failure && stored->result.pass_times.empty()) return false;
+  const auto& timing = context.plan.timing;
+  if (timing && !failure && !has_enough_frames(stored->result, *timing)) return false;
   ++context.outcome.reused;
   const std::string& label = context.plan.runs[*step.run].technique.label;
   if (failure) {

@@ -208,6 +208,12 @@ TEST_F(Reuse, AValidationAndASweepOfTheSameRunsRenderThemOnce) {
   EXPECT_EQ(verdict_of("validated"), verdict_of("swept"));
   EXPECT_EQ(validate_into("validated")["work"]["rendered"], 0);
   EXPECT_EQ(validate_into("swept")["work"]["rendered"], 0);
+
+  std::string study = read("study.toml");
+  study.replace(study.find("frames = 1\n"), 11, "frames = 9\n");
+  write("study.toml", study);
+  EXPECT_EQ(sweep("validated")["rendered"], 2) << "one frame was stored, nine are wanted";
+  EXPECT_EQ(sweep("validated")["rendered"], 0);
 }
 
 }  // namespace
