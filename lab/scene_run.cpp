@@ -248,7 +248,8 @@ void draw_swept(const SceneContext& context, const Image& reference, std::span<T
     require_picture(context, reference, run);
     Image& image = run.frame.image;
     std::ranges::copy(reference.plane("primitive_id"), image.add_plane("primitive_id").begin());
-    save_pictures(context, reference, run);
+    std::optional<Image> made;
+    save_pictures(context, truth_for(image, reference, made), run);
   }
 }
 

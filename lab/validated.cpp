@@ -17,10 +17,10 @@ constexpr double kSpentShare =
 
 bool has_enough_frames(const TechniqueResult& run, const TimingPlan& timing) {
   if (timing.wanted_frames == 0) return true;
-  if (run.pass_times.empty()) return false;
-  const PassTime& total = run.pass_times.back();
-  const double spent_s = 1e-3 * total.median_ms * total.frames;
-  return total.frames >= timing.wanted_frames || spent_s >= kSpentShare * timing.budget_s;
+  const std::optional<PassTime> total = total_time(run.pass_times);
+  if (!total) return false;
+  const double spent_s = 1e-3 * total->median_ms * total->frames;
+  return total->frames >= timing.wanted_frames || spent_s >= kSpentShare * timing.budget_s;
 }
 
 std::optional<RunRecord> find_swept(LateStore& store, const std::string& run, const ValidationPlan& plan) {
