@@ -100,7 +100,7 @@ TruthPlan make_truth_plan(int threads) {
 }
 
 BenchResults run(const BenchPlan& plan, std::span<const StudyScene> scenes, Renderer& realtime,
-                 TruthMemory& memory, const TruthPlan& truth, ProgressBar& progress) {
+                 TruthMemory& memory, BenchMemory* kept, const TruthPlan& truth, ProgressBar& progress) {
   ReusedTruths all;
   std::vector<Skip> skipped;
   const auto scene_done = [&](const BenchScene& scene) {
@@ -112,7 +112,7 @@ BenchResults run(const BenchPlan& plan, std::span<const StudyScene> scenes, Rend
     all += reused;
   };
   BenchResults results =
-      run_bench(scenes, plan, {memory.reference(plan.picture), realtime}, progress, scene_done, truth);
+      run_bench(scenes, plan, {memory.reference(plan.picture), realtime}, progress, scene_done, truth, kept);
   results.skipped.insert(results.skipped.end(), skipped.begin(), skipped.end());
   if (all.count > 0) print_note(reused_line(all));
   return results;
@@ -150,8 +150,7 @@ void write_page(const std::filesystem::path& out, const std::filesystem::path& s
 
 int bench(const BenchOptions& options, const GlobalOptions& global) {
   const BenchQueries queries = choose_queries(options);
-  if (options.no_reuse && global.out.empty())
-    fail_input("--no-reuse needs --out", {}, "without a store nothing is reused");
+  require_store(options.no_reuse, global);
   const Home home = find_home();
   const SceneSearch search = scene_search(global, home);
   std::optional<StagedFile> csv;
@@ -165,12 +164,16 @@ int bench(const BenchOptions& options, const GlobalOptions& global) {
   require_one_table(options, studies);
   TruthMemory memory(global, global.out, !options.no_reuse);
   const auto realtime = open_realtime_renderer(global, home);
+  std::optional<BenchMemory> kept;
+  if (memory.store() != nullptr)
+    kept.emplace(BenchMemory{*memory.store(), memory.answers(), memory.makers(*realtime), !options.no_reuse,
+                             memory.scratch()});
   const TruthPlan truth = truth_file ? make_truth_plan(global.threads) : TruthPlan{};
   std::vector<BenchResults> all;
   int code = kExitFine;
   for (LoadedStudy& study : studies) {
     for (const BenchPlan& plan : study.plans) {
-      all.push_back(run(plan, study.scenes, *realtime, memory, truth, progress));
+      all.push_back(run(plan, study.scenes, *realtime, memory, kept ? &*kept : nullptr, truth, progress));
       if (!global.json) print_answer(bench_text(all.back(), queries, options.with_passes));
       code = std::max(code, verdict(all.back()));
     }
@@ -196,7 +199,7 @@ void add_bench(CLI::App& app, CommandLine& line) {
   CLI::App* verb =
       app.add_subcommand("bench",
                          "time a study's runs in turn, score them, and set them beside a paper's "
-                         "claims; with --out keeps truths there, reuses them, and leaves a page");
+                         "claims; with --out keeps all of it there, reuses it, and leaves a page");
   verb->fallthrough();
   verb->add_option("study", options->studies, "study files (docs/studies.md)")->required();
   add_light_option(*verb, line.global);
@@ -207,7 +210,7 @@ void add_bench(CLI::App& app, CommandLine& line) {
   verb->add_option("--cheapest-below-rmse", options->cheapest_below_rmse,
                    "name the shortest time below an RMSE");
   verb->add_flag("--passes", options->with_passes, "also print the time of every pass");
-  verb->add_flag("--no-reuse", options->no_reuse, "render truths again that the store in --out knows");
+  verb->add_flag("--no-reuse", options->no_reuse, "measure again what the store in --out knows");
   verb->add_option("--frames", options->frames, "timed frames per run, instead of the study's")
       ->check(CLI::Range(1, 10000));
   verb->add_option("--width", options->quality.width, "picture width in pixels, instead of the study's");

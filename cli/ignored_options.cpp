@@ -23,7 +23,7 @@ const std::array<Ignored, 4>& ignored_options() {
   static const std::array<Ignored, 4> kIgnored = {
       {{"--out",
         {"doctor", "help", "metrics", "engines", "scene list", "scene check", "scene plan", "techniques list",
-         "techniques show", "techniques check", "regress record", "regress prove"}},
+         "techniques show", "techniques check", "regress prove"}},
        {"--device",
         {"merge", "export", "report", "help", "metrics", "engines list", "engines show", "techniques list",
          "techniques show", "techniques doc", "scene list", "scene check", "scene import", "scene export"}},

@@ -4,14 +4,14 @@
 #include "cli/console.h"
 #include "cli/home.h"
 #include "cli/progress_bar.h"
-#include "cli/reference_renderer.h"
 #include "cli/regress_prove.h"
 #include "cli/staging.h"
 #include "cli/study_runs.h"
+#include "cli/truth_memory.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "core/version.h"
-#include "reference/reference.h"
+#include "lab/validation_memory.h"
 #include "report/regress_output.h"
 #include "report/report.h"
 #include "results/results_json.h"
@@ -29,7 +29,7 @@ struct RegressOptions {
   std::string suite;
   std::string baseline_folder;
   std::string junit, annotate, report, reason;
-  bool update = false;
+  bool update = false, no_reuse = false;
   std::optional<uint64_t> seed;
   std::vector<std::string> proof_scenes;
 };
@@ -71,8 +71,14 @@ LoadedSuite load(const RegressOptions& options, const GlobalOptions& global, con
   return loaded;
 }
 
-RegressRenderers renderers_of(Renderer& realtime, int threads) {
-  return {realtime, [threads](int samples) { return make_reference_renderer({samples, {}, threads}); }};
+RegressRenderers renderers_of(Renderer& realtime, TruthMemory& memory, const PictureQuality& picture) {
+  const auto make_reference = [&memory, picture](int samples) {
+    PictureQuality part = picture;
+    part.samples_per_pixel = samples;
+    part.target_se.reset();
+    return std::shared_ptr<Renderer>(std::shared_ptr<void>(), &memory.reference(part));
+  };
+  return {realtime, make_reference, memory.makers(realtime), &memory.answers()};
 }
 
 BaselineReason reason_of(const std::string& text) {
@@ -93,6 +99,7 @@ void write_baseline(const std::filesystem::path& file, const Baseline& baseline)
 }
 
 int record(const RegressOptions& options, const GlobalOptions& global) {
+  require_store(options.no_reuse, global);
   ProgressBar progress;
   const Home home = find_home();
   const LoadedSuite suite = load(options, global, home, progress);
@@ -102,8 +109,10 @@ int record(const RegressOptions& options, const GlobalOptions& global) {
                "'regress check --update --reason TEXT' changes it, 'regress record --reason TEXT' makes all "
                "of it anew");
   const auto realtime = open_realtime_renderer(global, home);
+  TruthMemory memory(global, global.out, !options.no_reuse);
   const RegressResults measured =
-      measure_suite(suite.scenes, suite.plan, renderers_of(*realtime, global.threads), progress);
+      measure_suite(suite.scenes, suite.plan, renderers_of(*realtime, memory, suite.plan.picture), progress);
+  print_reuse(memory);
   const int code = report_voids(measured);
   if (code != kExitFine) return code;
   const std::string reason = options.reason.empty() ? "recorded for the first time" : options.reason;
@@ -123,9 +132,7 @@ void update(const LoadedSuite& suite, const RegressOptions& options, const Basel
   std::vector<SceneJob> changed;
   for (const SceneJob& job : suite.scenes) {
     const auto is_of_scene = [&](const RegressCase& one) {
-      const bool is_same =
-          one.verdict.outcome == CaseOutcome::pass || one.verdict.outcome == CaseOutcome::undecided;
-      return one.scene == job.name && !is_same && one.verdict.kind != "stale";
+      return one.scene == job.name && one.has_changed() && one.verdict.kind != "stale";
     };
     if (std::ranges::any_of(checked.cases, is_of_scene)) changed.push_back(job);
   }
@@ -147,15 +154,19 @@ void write_table(const std::filesystem::path& file, const RegressResults& checke
 }
 
 /// The same runs as 'validate' shows them: pictures, faults, everything in results.json, and before and after.
-void write_results_folder(const LoadedSuite& suite, Renderer& realtime, const GlobalOptions& global,
+void write_results_folder(const LoadedSuite& suite, Renderer& realtime, TruthMemory& memory,
+                          const RegressOptions& options, const GlobalOptions& global,
                           const RegressResults& checked, Progress& progress) {
   ValidationPlan plan;
   plan.quality = suite.quality.name;
   plan.picture = suite.plan.picture;
   plan.timed_frames = suite.plan.timed_frames;
   plan.techniques = suite.plan.runs;
-  const auto reference = open_reference_renderer(global, plan.picture);
-  const Results results = run_validation(suite.scenes, plan, {*reference, realtime}, global.out, progress);
+  ValidationMemory runs(*memory.store(), memory.makers(realtime), !options.no_reuse);
+  std::vector<SceneSource> sources;
+  for (const SceneJob& job : suite.scenes) sources.push_back(source_of(job));
+  const Results results = run_validation(sources, plan, {memory.reference(plan.picture), realtime},
+                                         global.out, progress, {}, &runs);
   const std::filesystem::path out = global.out;
   write_file_atomically(out / "results.json", to_json_text(results));
   write_file_atomically(out / "regress.json", regress_json(checked));
@@ -179,6 +190,7 @@ void check_options(const RegressOptions& options, const GlobalOptions& global) {
     fail_input("--update needs --reason", {}, "say why the new numbers are right; the baseline keeps it");
   if (!options.update && !options.reason.empty())
     fail_input("--reason is given without --update", {}, "a check changes nothing");
+  require_store(options.no_reuse, global);
   if (!options.annotate.empty() && global.json)
     fail_input("--annotate and --json both want the standard output", {}, "--junit writes to a file");
   const std::filesystem::path report = options.report;
@@ -196,11 +208,13 @@ int check_suite(const RegressOptions& options, const GlobalOptions& global) {
                "make one with 'umbrameter regress record'");
   const Baseline baseline = load_baseline(suite.baseline_file);
   const auto realtime = open_realtime_renderer(global, home);
-  const RegressRenderers renderers = renderers_of(*realtime, global.threads);
+  TruthMemory memory(global, global.out, !options.no_reuse);
+  const RegressRenderers renderers = renderers_of(*realtime, memory, suite.plan.picture);
   const RegressResults results = check_suite(suite.scenes, suite.plan, baseline, renderers, progress);
   if (!options.junit.empty()) write_file_atomically(options.junit, junit_xml(results));
   if (!options.report.empty()) write_table(options.report, results);
-  if (!global.out.empty()) write_results_folder(suite, *realtime, global, results, progress);
+  if (!global.out.empty()) write_results_folder(suite, *realtime, memory, options, global, results, progress);
+  print_reuse(memory);
   print_answer(global.json ? regress_json(results) : regress_text(results));
   if (!options.annotate.empty()) print_answer(github_annotations(results));
   if (options.update) {
@@ -233,6 +247,7 @@ void add_suite_options(CLI::App& part, RegressOptions& options) {
                   "folder of the baselines; <suite>.toml is read and written there")
       ->required();
   part.add_option("--seed", options.seed, "seed of all sampling, instead of the suite's");
+  part.add_flag("--no-reuse", options.no_reuse, "measure again what the store in --out knows");
 }
 
 }  // namespace

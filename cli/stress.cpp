@@ -6,6 +6,7 @@
 #include "cli/run_renderer.h"
 #include "cli/staging.h"
 #include "cli/stress_worker.h"
+#include "cli/truth_memory.h"
 #include "cli/verbs.h"
 #include "core/error.h"
 #include "core/files.h"
@@ -27,7 +28,7 @@ struct StressOptions {
   std::vector<std::string> techniques, axes;
   std::optional<int> width_px, height_px, samples_per_pixel, timeout_s;
   std::optional<uint64_t> seed;
-  bool markdown = false, keep_pictures = false;
+  bool markdown = false, keep_pictures = false, no_reuse = false;
   std::string worker_axis, worker_folder;  // set for workers alone
 };
 
@@ -82,20 +83,23 @@ int work(const StressOptions& options, const StressPlan& plan, const GlobalOptio
 }
 
 StressResults measure(const StressOptions& options, const StressPlan& plan, const GlobalOptions& global,
-                      const std::filesystem::path& folder) {
+                      const std::filesystem::path& folder, TruthMemory& memory) {
   StressResults results;
   results.plan = plan;
   results.version = kVersion;
   results.commit = kCommit;
-  results.device = run_identity(*open_realtime_renderer(global, find_home()));
-  if (!find_exact_program())
+  const StressKeys keys{plan.picture, stress_techniques(plan),
+                        memory.makers(*open_realtime_renderer(global, find_home())),
+                        find_exact_program().has_value()};
+  results.device = keys.makers.realtime;
+  if (!keys.has_oracle)
     print_warning("umbrameter-exact is not beside this program: no truth is held against exact arithmetic");
   results.rows = {std::string(kTruthRow)};
-  for (const TechniqueRun& run : stress_techniques(plan)) results.rows.push_back(run.label);
+  for (const TechniqueRun& run : keys.techniques) results.rows.push_back(run.label);
   ProgressBar progress;
   for (const StressAxis& axis : plan.axes) {
     const std::vector<StressCell> cells =
-        watch_axis(axis, plan, results.rows.size() - 1, worker_arguments(options, global, plan, axis, folder),
+        watch_axis(axis, plan, keys, memory.answers(), worker_arguments(options, global, plan, axis, folder),
                    folder, progress);
     results.cells.insert(results.cells.end(), cells.begin(), cells.end());
   }
@@ -113,12 +117,16 @@ int stress(const StressOptions& options, const GlobalOptions& global) {
   const StressPlan plan = plan_of(options);
   if (!options.worker_axis.empty()) return work(options, plan, global);
   if (options.markdown && global.json) fail_input("--markdown and --json both want the standard output");
+  require_store(options.no_reuse, global);
   if (options.keep_pictures && global.out.empty())
     fail_input("--pictures needs --out", {}, "it names the folder they go to");
   const Staging staging(std::filesystem::temp_directory_path());
   const std::filesystem::path folder =
       options.keep_pictures ? std::filesystem::absolute(global.out) : staging.folder();
-  const StressResults results = measure(options, plan, global, folder);
+  // Pictures are of cells that are walked.
+  TruthMemory memory(global, global.out, !options.no_reuse && !options.keep_pictures);
+  const StressResults results = measure(options, plan, global, folder, memory);
+  print_reuse(memory);
   if (!global.out.empty()) {
     create_folder(global.out);
     write_results(results, global.out);
@@ -153,6 +161,7 @@ void add_stress(CLI::App& app, CommandLine& line) {
   verb->add_option("--seed", options->seed, "seed of all sampling");
   verb->add_option("--timeout", options->timeout_s, "seconds after which a picture hangs")
       ->check(CLI::Range(1, 86400));
+  verb->add_flag("--no-reuse", options->no_reuse, "walk again what the store in --out knows");
   verb->add_flag("--markdown", options->markdown, "print the tables of docs/stability.md");
   verb->add_flag("--pictures", options->keep_pictures,
                  "keep scenes, and pictures of what is not ok, in --out");

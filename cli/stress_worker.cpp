@@ -99,8 +99,10 @@ fs::path journal_of(const fs::path& folder) {
   return folder / "journal.jsonl";
 }
 
-/// Waits for the worker's end, or for its silence: true when it was silent too long.
-bool is_hanging(ChildProcess& worker, const fs::path& journal, int timeout_s) {
+/// Waits for the worker's end, or for its silence: true when it was silent too long. `grown` is called when the journal has
+/// grown.
+bool is_hanging(ChildProcess& worker, const fs::path& journal, int timeout_s,
+                const std::function<void()>& grown) {
   const auto size = [&] {
     std::error_code ignored;
     const auto bytes = fs::file_size(journal, ignored);
@@ -113,6 +115,7 @@ bool is_hanging(ChildProcess& worker, const fs::path& journal, int timeout_s) {
     if (const uintmax_t now = size(); now != last_size) {
       last_size = now;
       last_growth = Clock::now();
+      grown();
     }
     if (seconds_since(last_growth) < timeout_s) continue;
     worker.kill();
@@ -181,24 +184,40 @@ void work_on_axis(const StressAxis& axis, const StressPlan& plan, const GlobalOp
   run_stress_axis(axis, plan, tools, place, keep_pictures, done, journal, silent);
 }
 
-std::vector<StressCell> watch_axis(const StressAxis& axis, const StressPlan& plan, size_t techniques,
-                                   const std::vector<std::string>& arguments, const fs::path& folder,
-                                   Progress& progress) {
+std::vector<StressCell> watch_axis(const StressAxis& axis, const StressPlan& plan, const StressKeys& keys,
+                                   Answers& answers, const std::vector<std::string>& arguments,
+                                   const fs::path& folder, Progress& progress) {
   const fs::path place = axis_folder(folder, axis);
   create_folder(place);
   const fs::path journal = journal_of(place), log = place / "worker.log";
   fs::remove(journal);  // of an earlier run
-  progress.begin(axis.name, cells_of(axis, techniques));
-  size_t told = 0;
+  const size_t cells = cells_of(axis, keys.techniques.size());
+  progress.begin(axis.name, cells);
+  std::vector<StressCell> known = kept_cells(answers, axis, keys);
+  progress.advance(known.size());
+  if (known.size() == cells) {
+    progress.end();
+    sort_cells(known, axis, keys);
+    return known;
+  }
+  for (const StressCell& cell : known) JournalWriter(journal).finish(cell);
+  JournalTail tail(journal);
+  tail.take();
+  const auto keep_new = [&] {
+    for (const StressCell& cell : tail.take()) keep_cell(answers, axis, keys, cell);
+  };
+  size_t told = known.size();
   while (true) {
     ChildProcess worker(arguments, log);
-    const bool hangs = is_hanging(worker, journal, plan.timeout_s);
+    const bool hangs = is_hanging(worker, journal, plan.timeout_s, keep_new);
+    keep_new();
     JournalState state = read_journal(journal);
     progress.advance(state.cells.size() - told);
     told = state.cells.size();
     if (!hangs && worker.exit_code() == 0) {
       progress.end();
-      return state.cells;
+      sort_cells(state.cells, axis, keys);
+      return std::move(state.cells);
     }
     const std::string last_words = last_line_of(log);
     if (!state.open)

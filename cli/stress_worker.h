@@ -3,6 +3,7 @@
 // One axis of a stress run in a process of its own, and the process that looks after it.
 
 #include "cli/verbs.h"
+#include "study/stress/kept_cells.h"
 #include "study/stress/run.h"
 
 #include <filesystem>
@@ -20,9 +21,10 @@ void work_on_axis(const StressAxis& axis, const StressPlan& plan, const GlobalOp
                   const std::filesystem::path& folder, bool keep_pictures);
 
 /// The other side: starts workers with `arguments` until every cell of the axis is there; what ends a worker becomes a
-/// cell. Error{internal} when workers end before they start anything.
-std::vector<StressCell> watch_axis(const StressAxis& axis, const StressPlan& plan, size_t techniques,
-                                   const std::vector<std::string>& arguments,
+/// cell. What `answers` knows is not walked again, and they learn the rest as it comes. Error{internal} when workers end before
+/// they start anything.
+std::vector<StressCell> watch_axis(const StressAxis& axis, const StressPlan& plan, const StressKeys& keys,
+                                   Answers& answers, const std::vector<std::string>& arguments,
                                    const std::filesystem::path& folder, Progress& progress);
 
 }  // namespace umbrameter

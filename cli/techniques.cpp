@@ -175,13 +175,22 @@ void add_techniques(CLI::App& app, CommandLine& line) {
   show_verb->add_option("technique", *name, "id or folder")->required();
   show_verb->callback(
       [name, &line] { line.verb = [name, &line] { return show_technique(*name, line.global); }; });
-  auto ids = std::make_shared<std::vector<std::string>>();
+  auto traits = std::make_shared<TraitsOptions>();
   CLI::App* traits_verb =
       verb->add_subcommand("traits", "precise, soft, anti-aliased, ...: paper E's table, measured");
   traits_verb->fallthrough();
-  traits_verb->add_option("technique", *ids, "ids or folders; none = all");
+  traits_verb->add_option("technique", traits->ids, "ids or folders; none = all");
+  traits_verb
+      ->add_option("--width", traits->picture.width_px,
+                   "of the pictures in px; the verdicts' limits were made at 480 x 270")
+      ->check(CLI::Range(16, 16384));
+  traits_verb->add_option("--height", traits->picture.height_px, "of the pictures in px")
+      ->check(CLI::Range(16, 16384));
+  traits_verb->add_option("--spp", traits->picture.samples_per_pixel, "samples per pixel of the truth")
+      ->check(CLI::Range(8, 1 << 20));
+  traits_verb->add_flag("--no-reuse", traits->no_reuse, "measure again what the store in --out knows");
   traits_verb->callback(
-      [ids, &line] { line.verb = [ids, &line] { return show_traits(*ids, line.global); }; });
+      [traits, &line] { line.verb = [traits, &line] { return show_traits(*traits, line.global); }; });
   CLI::App* doc_verb =
       verb->add_subcommand("doc", "Markdown of all techniques and what a validation measured of them");
   doc_verb->fallthrough();

@@ -6,12 +6,11 @@
 #include "cli/progress_bar.h"
 #include "cli/technique_doc.h"
 #include "cli/techniques_verbs.h"
+#include "cli/truth_memory.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "realtime/manifest/technique.h"
-#include "reference/reference.h"
 #include "results/results_json.h"
-#include "study/traits/traits.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -20,8 +19,6 @@ namespace umbrameter {
 namespace {
 
 using OrderedJson = nlohmann::ordered_json;
-
-constexpr int kReferenceSamples = 1024;
 
 /// Numbers of the group "bias" at their minimum, choices at their first.
 ParameterValues neutral_bias(const TechniqueRun& run, const Home& home) {
@@ -85,22 +82,27 @@ OrderedJson to_json(const std::vector<TechniqueTraits>& all) {
 
 }  // namespace
 
-int show_traits(const std::vector<std::string>& ids, const GlobalOptions& global) {
+int show_traits(const TraitsOptions& options, const GlobalOptions& global) {
+  require_store(options.no_reuse, global);
   const Home home = find_home();
   const SceneSearch search = scene_search(global, home);
   std::vector<TechniqueRun> runs;
-  for (const std::string& id : ids) runs.push_back(choose_technique(id, {}, home));
+  for (const std::string& id : options.ids) runs.push_back(choose_technique(id, {}, home));
   if (runs.empty()) runs = all_techniques(home);
   std::vector<SceneJob> scenes;
   for (const std::string& name : trait_scene_names()) scenes.push_back(load_scene_job(name, search));
   const auto realtime = open_realtime_renderer(global, home);
-  const auto reference = make_reference_renderer({kReferenceSamples, std::nullopt, global.threads});
+  TruthMemory memory(global, global.out, !options.no_reuse);
   ProgressBar progress;
   const TraitInputs inputs{.scenes = scenes,
-                           .renderers = {*reference, *realtime},
-                           .neutral_bias = [&](const TechniqueRun& run) { return neutral_bias(run, home); }};
+                           .renderers = {memory.reference(options.picture), *realtime},
+                           .neutral_bias = [&](const TechniqueRun& run) { return neutral_bias(run, home); },
+                           .picture = options.picture,
+                           .makers = memory.makers(*realtime),
+                           .answers = &memory.answers()};
   const std::vector<TechniqueTraits> traits = measure_traits(runs, inputs, progress);
   progress.clear();
+  print_reuse(memory);
   int code = kExitFine;
   for (const TechniqueTraits& technique : traits) {
     if (technique.failure.empty()) continue;

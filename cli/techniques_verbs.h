@@ -4,6 +4,7 @@
 
 #include "cli/home.h"
 #include "cli/verbs.h"
+#include "study/traits/traits.h"
 
 #include <map>
 #include <string>
@@ -11,8 +12,14 @@
 
 namespace umbrameter {
 
-/// `techniques traits [ID...]`: none = all.
-int show_traits(const std::vector<std::string>& ids, const GlobalOptions& global);
+struct TraitsOptions {
+  std::vector<std::string> ids;  // none = all
+  PictureQuality picture = kTraitPicture;
+  bool no_reuse = false;
+};
+
+/// `techniques traits [ID...]`.
+int show_traits(const TraitsOptions& options, const GlobalOptions& global);
 
 /// `techniques doc RESULTS`: docs/techniques.md from the manifests and a validation's results.json.
 int write_technique_doc(const std::string& results_file, const GlobalOptions& global);

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/truth_memory.h"
 
+#include "cli/console.h"
+#include "cli/home.h"
 #include "cli/reference_renderer.h"
+#include "cli/run_renderer.h"
+#include "core/error.h"
 
 #include <fmt/format.h>
 
@@ -12,6 +16,11 @@ TruthMemory::TruthMemory(const GlobalOptions& options, const std::filesystem::pa
   if (folder.empty()) return;
   scratch_.emplace(folder);
   store_.emplace(folder);
+  answers_ = Answers(*store_, reuse);
+}
+
+Makers TruthMemory::makers(const Renderer& realtime) const {
+  return {kReferenceMaker, run_identity(realtime), hash_folder(find_home().shaders)};
 }
 
 Renderer& TruthMemory::reference(const PictureQuality& picture) {
@@ -40,6 +49,19 @@ std::vector<std::string> TruthMemory::take_warnings() {
 std::string reused_line(const ReusedTruths& reused) {
   return fmt::format("{} truth{} reused, about {:.2g} s saved", reused.count, reused.count == 1 ? "" : "s",
                      reused.saved_s);
+}
+
+void require_store(bool no_reuse, const GlobalOptions& options) {
+  if (no_reuse && options.out.empty())
+    fail_input("--no-reuse needs --out", {}, "without a store nothing is reused");
+}
+
+void print_reuse(TruthMemory& memory) {
+  print_warnings(memory.take_warnings());
+  const ReusedTruths truths = memory.take_reused();
+  if (truths.count > 0) print_note(reused_line(truths));
+  const size_t answers = memory.answers().take_reused();
+  if (answers > 0) print_note(fmt::format("{} stored answer{} reused", answers, answers == 1 ? "" : "s"));
 }
 
 }  // namespace umbrameter

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Ray tracers that share what the store in --out knows (lab/stored_reference.h).
+// What a verb shares with others through the store in --out: truths (lab/stored_reference.h) and answers of its own
+// (lab/answers.h).
 
 #include "cli/late_renderer.h"
 #include "cli/staging.h"
 #include "cli/verbs.h"
+#include "lab/answers.h"
 #include "lab/stored_reference.h"
 
 #include <memory>
@@ -22,6 +24,15 @@ class TruthMemory {
   /// A ray tracer of the picture's samples and target; lives as long as this.
   Renderer& reference(const PictureQuality& picture);
 
+  /// The answers in the store; without one nothing is kept.
+  Answers& answers() { return answers_; }
+  /// The store; null without a folder.
+  LateStore* store() { return store_ ? &*store_ : nullptr; }
+  /// For files in the making; there only with a store.
+  const std::filesystem::path& scratch() const { return scratch_->folder(); }
+  /// Who makes what is kept; `realtime` is one of open_realtime_renderer().
+  Makers makers(const Renderer& realtime) const;
+
   /// By all of them, since it was last asked.
   ReusedTruths take_reused();
   /// What was found damaged.
@@ -37,10 +48,17 @@ class TruthMemory {
   bool reuse_;
   std::optional<Staging> scratch_;
   std::optional<LateStore> store_;
+  Answers answers_;
   std::vector<std::unique_ptr<Reference>> references_;
 };
 
 /// "3 truths reused, about 1.2 s saved".
 std::string reused_line(const ReusedTruths& reused);
+
+/// Error{input} for --no-reuse without --out.
+void require_store(bool no_reuse, const GlobalOptions& options);
+
+/// Prints what was found damaged and how much was reused, where there is something to say.
+void print_reuse(TruthMemory& memory);
 
 }  // namespace umbrameter

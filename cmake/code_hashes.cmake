@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # cmake -DSOURCE_DIR=... -DOUTPUT=... -P code_hashes.cmake: writes store/code_hashes.h's constants, of what computes numbers and
-# nothing else: not how results are written (but for the rows that measure), not what study, report and cli do. Comments
+# nothing else: not how results are written (but for the rows that measure), not what report and cli do. Comments
 # and formatting count, too: an edit that changes nothing costs a rendering, a change that goes unnoticed costs a wrong number.
 # hash_code(<variable> <room or file without its ending>...)
 function(hash_code variable)
@@ -27,6 +27,11 @@ endfunction()
 hash_code(reference core scenes reference)
 hash_code(realtime core scenes realtime engines)
 hash_code(scoring core metrics lab results/measured_rows)
+set(gate study/gate study/stage study/metric_probe study/resolved)
+hash_code(regress ${gate} study/regress)
+hash_code(selftest ${gate} study/fault_case study/selftest)
+hash_code(traits study/traits)
+hash_code(stress study/stress)
 set(text "#include \"store/code_hashes.h\"
 
 namespace umbrameter {
@@ -34,6 +39,10 @@ namespace umbrameter {
 const char* const kReferenceCodeHash = \"${reference}\";
 const char* const kRealtimeCodeHash = \"${realtime}\";
 const char* const kScoringCodeHash = \"${scoring}\";
+const char* const kRegressCodeHash = \"${regress}\";
+const char* const kSelftestCodeHash = \"${selftest}\";
+const char* const kTraitsCodeHash = \"${traits}\";
+const char* const kStressCodeHash = \"${stress}\";
 
 }  // namespace umbrameter
 ")

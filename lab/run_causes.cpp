@@ -94,7 +94,7 @@ std::vector<TechniqueFrame*> runs_with_wanted_causes(const ValidationPlan& plan,
 }
 
 void find_run_causes(const SceneContext& context, const Image& reference, const SceneResult& scene,
-                     std::span<TechniqueFrame> runs) {
+                     std::span<TechniqueFrame> runs, const RunDone& run_done) {
   const std::vector<TechniqueFrame*> chosen = runs_with_wanted_causes(context.plan, runs);
   if (std::ranges::all_of(chosen, knows_causes)) return;
   const double allowed = pictures_of_scene(context.plan, scene, runs.size());
@@ -115,6 +115,7 @@ void find_run_causes(const SceneContext& context, const Image& reference, const 
       causes.skipped = failure->message;
     }
     run->result.fault_causes = std::move(causes);
+    run_done(*run);
   }
   context.progress.end();
 }

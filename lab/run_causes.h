@@ -12,9 +12,9 @@ namespace umbrameter {
 std::vector<TechniqueFrame*> runs_with_wanted_causes(const ValidationPlan& plan,
                                                      std::span<TechniqueFrame> runs);
 
-/// Sets TechniqueResult::fault_causes of those that have none yet. With CausesWanted::automatic each as long as pictures drawn
+/// Sets TechniqueResult::fault_causes of those that have none yet, one by one. With CausesWanted::automatic each as long as pictures drawn
 /// for causes stay fewer than those of the scene itself: a count, so that it does not depend on the clock.
 void find_run_causes(const SceneContext& context, const Image& reference, const SceneResult& scene,
-                     std::span<TechniqueFrame> runs);
+                     std::span<TechniqueFrame> runs, const RunDone& run_done);
 
 }  // namespace umbrameter

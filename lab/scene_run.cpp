@@ -34,7 +34,8 @@ void take_result(TimedRun& run, TechniqueFrame& out) {
   TechniqueResult& result = out.result;
   result.failure = run.failure;
   if (result.failure) return;
-  take_frame(run, result);
+  take_frame(run.frame, result);
+  take_times(run, result);
   out.frame = std::move(run.frame);
   result.measured_at = time_now();
 }
@@ -226,7 +227,8 @@ void take_score(const SceneContext& context, const Image& reference, Score score
                fault_picture(score.fault_classes, image.width, image.height));
 }
 
-void score_techniques(const SceneContext& context, const Image& reference, std::span<TechniqueFrame> runs) {
+void score_techniques(const SceneContext& context, const Image& reference, std::span<TechniqueFrame> runs,
+                      const RunDone& run_done) {
   SharedTruth shared;
   for (size_t i = 0; i < runs.size(); ++i) {
     TechniqueFrame& run = runs[i];
@@ -239,6 +241,7 @@ void score_techniques(const SceneContext& context, const Image& reference, std::
       score_technique(context, reference, run, shared);
     }
     run.scoring_s = seconds_since(start);
+    run_done(run);
   }
 }
 

@@ -5,6 +5,8 @@
 #include "lab/score.h"
 #include "lab/validation.h"
 
+#include <functional>
+
 namespace umbrameter {
 
 /// What every step needs.
@@ -49,8 +51,12 @@ Image require_reference(const SceneContext& context, SceneResult& scene);
 void compare_renderers(const SceneContext& context, const Image& surfaces, const Image& reference,
                        SceneResult& scene);
 
+/// Called with a run when nothing more becomes known of it, so that it can be kept before the next one is begun.
+using RunDone = std::function<void(TechniqueFrame&)>;
+
 /// Sets the errors of the runs that are not reused, or their failures, and stores their pictures.
-void score_techniques(const SceneContext& context, const Image& reference, std::span<TechniqueFrame> runs);
+void score_techniques(const SceneContext& context, const Image& reference, std::span<TechniqueFrame> runs,
+                      const RunDone& run_done);
 
 // The same where frames and scores are there already: what they become in the results, with their pictures.
 void take_truth(const SceneContext& context, const Image& image, ReferenceResult result, SceneResult& scene);

@@ -15,17 +15,19 @@ TechniqueResult describe(const TechniqueRun& run) {
   return result;
 }
 
-void take_frame(const TimedRun& run, TechniqueResult& result) {
-  result.quantity = to_text(quantity_of(run.frame.image));
-  const Frame& frame = run.frame;
+void take_frame(const Frame& frame, TechniqueResult& result) {
+  result.quantity = to_text(quantity_of(frame.image));
   result.parameters = frame.parameters;
-  result.pass_times = summarise(run.times);
-  result.timer = run.timer;
   result.device = frame.device;
   result.memory_bytes = frame.memory_bytes;
   result.wall_time_s = frame.wall_time_s;
   result.warnings = frame.warnings;
   result.left_out = frame.left_out;
+}
+
+void take_times(const TimedRun& run, TechniqueResult& result) {
+  result.pass_times = summarise(run.times);
+  result.timer = run.timer;
 }
 
 }  // namespace umbrameter

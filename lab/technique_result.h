@@ -11,7 +11,10 @@ namespace umbrameter {
 /// Nothing is known but what was asked.
 TechniqueResult describe(const TechniqueRun& run);
 
-/// What a run that has not failed says of its frames, all but the image.
-void take_frame(const TimedRun& run, TechniqueResult& result);
+/// What a picture says of its run, all but the picture.
+void take_frame(const Frame& frame, TechniqueResult& result);
+
+/// What the frames of a run that has not failed say after it.
+void take_times(const TimedRun& run, TechniqueResult& result);
 
 }  // namespace umbrameter

@@ -48,14 +48,16 @@ bool is_missing(const TechniqueFrame& run) {
 }
 
 /// Sequences of the truth are made once a scene, and only when a run was scored.
-void measure_sequences(const SceneContext& context, const Image& reference,
-                       std::vector<TechniqueFrame>& runs) {
+void measure_sequences(const SceneContext& context, const Image& reference, std::vector<TechniqueFrame>& runs,
+                       const RunDone& run_done) {
   const auto is_wanted = [](const TechniqueFrame& run) { return is_missing(run) && run.result.error; };
   if (std::ranges::none_of(runs, is_wanted)) return;
   const Sequence camera = render_sequence(context, Motion::camera, reference);
   const Sequence light = render_sequence(context, Motion::light, reference);
   for (TechniqueFrame& run : runs) {
-    if (is_wanted(run)) measure_temporal(context, camera, light, run);
+    if (!is_wanted(run)) continue;
+    measure_temporal(context, camera, light, run);
+    run_done(run);
   }
 }
 
@@ -137,21 +139,27 @@ void measure(const SceneWork& work, SceneResult& scene, std::vector<TechniqueFra
   });
   Image reference;
   if (!all_failed) reference = require_reference(context, scene);
+  if (work.memory != nullptr) work.memory->remember_truth(work.source, work.plan, work.folder, scene);
   if (scene.reference && !scene.parity && !all_failed)
     compare_renderers(context, surfaces.image, reference, scene);
+  if (work.memory != nullptr) work.memory->remember_parity(work.source, work.plan, work.folder, scene);
+  const bool has_sequences = work.plan.temporal_frames > 0;
+  const RunDone keep = [&](TechniqueFrame& run) {
+    if (work.memory != nullptr) work.memory->remember_run(work.source, work.plan, work.folder, scene, run);
+  };
   if (scene.parity && scene.parity->passes) {
-    score_techniques(context, reference, runs);
+    score_techniques(context, reference, runs, has_sequences ? [](TechniqueFrame&) {} : keep);
     draw_swept(context, reference, runs);
   }
   if (work.memory != nullptr) recall_verdicts(work, runs);
   compare_with_baseline(context, reference, runs);
-  if (work.plan.temporal_frames > 0) measure_sequences(context, reference, runs);
+  if (work.memory != nullptr) remember_verdicts(work, runs);
+  if (has_sequences) measure_sequences(context, reference, runs, keep);
+  std::ranges::for_each(runs, keep);
   if (work.memory != nullptr) recall_causes(work, runs);
-  find_run_causes(context, reference, scene, runs);
-  if (work.memory == nullptr) return;
-  work.memory->remember(work.source, work.plan, work.folder, scene, runs);
-  remember_verdicts(work, runs);
-  for (const TechniqueFrame& run : runs) work.memory->remember_causes(run, runs);
+  find_run_causes(context, reference, scene, runs, [&](const TechniqueFrame& run) {
+    if (work.memory != nullptr) work.memory->remember_causes(run, runs);
+  });
 }
 
 void count(const SceneResult& scene, WorkDone& work) {

@@ -113,7 +113,7 @@ std::string ValidationMemory::reference_of(const SceneSource& source, const Vali
 void ValidationMemory::recall(const SceneSource& source, const ValidationPlan& plan, const fs::path& folder,
                               SceneResult& scene, std::vector<TechniqueFrame>& runs) {
   const std::string reference = reference_of(source, plan);
-  lacks_picture_ = false;
+  kept_.clear();
   for (TechniqueFrame& run : runs) {
     const std::string key = run_key(reference, run.technique, plan.picture.seed, plan.metrics, makers_);
     run.key = validated_run_key(key, plan);
@@ -129,22 +129,45 @@ void ValidationMemory::recall(const SceneSource& source, const ValidationPlan& p
     record->result.is_reused = true;
     run.result = std::move(record->result);
     place(store_.store(), folder, scene.name, run.result);
+    if (!run.lacks_pictures) kept_.insert(run.key);
   }
   const auto truth = find(reference);
   if (auto record = truth ? parse_reference_record(*truth) : std::nullopt) {
     scene.reference = std::move(record->result);
     scene.reference->is_reused = true;
-    lacks_picture_ = scene.reference->picture_file.empty();
+    if (!scene.reference->picture_file.empty()) kept_.insert(reference);  // a sweep's has none for people
     if (scene.reference->measured_at.empty()) scene.reference->measured_at = record->head.started;
     place(store_.store(), folder, scene.name, *scene.reference);
   }
-  scene.parity = read_json(find(parity_key(reference, makers_)), read_parity);
-  if (scene.parity) place(store_.store(), folder, scene.name, *scene.parity);
+  const std::string parity = parity_key(reference, makers_);
+  scene.parity = read_json(find(parity), read_parity);
+  if (!scene.parity) return;
+  place(store_.store(), folder, scene.name, *scene.parity);
+  kept_.insert(parity);
 }
 
-void ValidationMemory::put_run(const std::string& reference, const SceneSource& source,
-                               const ValidationPlan& plan, const fs::path& folder, const SceneResult& scene,
-                               const TechniqueFrame& run) {
+void ValidationMemory::remember_truth(const SceneSource& source, const ValidationPlan& plan,
+                                      const fs::path& folder, const SceneResult& scene) {
+  const std::string key = reference_of(source, plan);
+  if (!scene.reference || !kept_.insert(key).second) return;
+  const ReferenceResult truth = kept(store_.store(), folder, *scene.reference);
+  const RecordHead head = head_of(source, plan, truth.measured_at, truth.wall_time_s);
+  store_.store().put({key, EntryKind::reference, to_json_text(ReferenceRecord{head, truth})});
+}
+
+void ValidationMemory::remember_parity(const SceneSource& source, const ValidationPlan& plan,
+                                       const fs::path& folder, const SceneResult& scene) {
+  const std::string key = parity_key(reference_of(source, plan), makers_);
+  if (!scene.parity || !kept_.insert(key).second) return;
+  const ParityNumbers parity = kept(store_.store(), folder, *scene.parity);
+  store_.store().put({key, EntryKind::parity, parity_json(parity).dump()});
+}
+
+void ValidationMemory::remember_run(const SceneSource& source, const ValidationPlan& plan,
+                                    const fs::path& folder, const SceneResult& scene,
+                                    const TechniqueFrame& run) {
+  if (!scene.reference || !scene.parity || !is_final(run.result) || !kept_.insert(run.key).second) return;
+  const std::string reference = reference_of(source, plan);
   RunRecord record{head_of(source, plan, run.result.measured_at, run.result.wall_time_s + run.scoring_s),
                    reference,
                    {},
@@ -158,23 +181,6 @@ void ValidationMemory::put_run(const std::string& reference, const SceneSource& 
   store_.store().put({run.key, EntryKind::run, to_json_text(record)});
   note_validated(store_.store(), run_key(reference, run.technique, plan.picture.seed, plan.metrics, makers_),
                  run.key);
-}
-
-void ValidationMemory::remember(const SceneSource& source, const ValidationPlan& plan, const fs::path& folder,
-                                SceneResult& scene, std::vector<TechniqueFrame>& runs) {
-  if (!scene.reference || !scene.parity) return;
-  const std::string reference = reference_of(source, plan);
-  if (!scene.reference->is_reused || lacks_picture_) {
-    const ReferenceResult truth = kept(store_.store(), folder, *scene.reference);
-    const RecordHead head = head_of(source, plan, truth.measured_at, truth.wall_time_s);
-    store_.store().put({reference, EntryKind::reference, to_json_text(ReferenceRecord{head, truth})});
-  }
-  const ParityNumbers parity = kept(store_.store(), folder, *scene.parity);
-  store_.store().put({parity_key(reference, makers_), EntryKind::parity, parity_json(parity).dump()});
-  for (const TechniqueFrame& run : runs) {
-    if (run.result.is_reused && !run.lacks_pictures) continue;
-    if (is_final(run.result)) put_run(reference, source, plan, folder, scene, run);
-  }
 }
 
 bool ValidationMemory::recall_verdict(const TechniqueFrame& baseline, TechniqueFrame& run) {

@@ -7,6 +7,7 @@
 #include "store/late_store.h"
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -21,10 +22,16 @@ class ValidationMemory {
   /// Sets what is known of the scene and its runs, and puts their images into `folder`.
   void recall(const SceneSource& source, const ValidationPlan& plan, const std::filesystem::path& folder,
               SceneResult& scene, std::vector<TechniqueFrame>& runs);
-  /// Keeps what was not known, whose images lie in `folder`; they become links to what is kept. Runs that were not compared
-  /// and failures that may pass are not kept.
-  void remember(const SceneSource& source, const ValidationPlan& plan, const std::filesystem::path& folder,
-                SceneResult& scene, std::vector<TechniqueFrame>& runs);
+  // What follows keeps what was not known, whose images lie in `folder`; they become links to what is kept. A second
+  // time, and without the thing, it does nothing. So all of it may be called as soon as the thing is there: killed at any
+  // moment, a validation goes on from there.
+  void remember_truth(const SceneSource& source, const ValidationPlan& plan,
+                      const std::filesystem::path& folder, const SceneResult& scene);
+  void remember_parity(const SceneSource& source, const ValidationPlan& plan,
+                       const std::filesystem::path& folder, const SceneResult& scene);
+  /// Runs that were not compared and failures that may pass are not kept.
+  void remember_run(const SceneSource& source, const ValidationPlan& plan,
+                    const std::filesystem::path& folder, const SceneResult& scene, const TechniqueFrame& run);
 
   /// Whether the verdict on `run` was known; then it is set.
   bool recall_verdict(const TechniqueFrame& baseline, TechniqueFrame& run);
@@ -43,13 +50,11 @@ class ValidationMemory {
  private:
   std::optional<std::string> find(const std::string& key);
   std::string reference_of(const SceneSource& source, const ValidationPlan& plan) const;
-  void put_run(const std::string& reference, const SceneSource& source, const ValidationPlan& plan,
-               const std::filesystem::path& folder, const SceneResult& scene, const TechniqueFrame& run);
 
   LateStore& store_;
   Makers makers_;
   bool reuse_;
-  bool lacks_picture_ = false;  // the truth recalled last: a sweep's has none for people
+  std::set<std::string> kept_;  // keys of the scene recalled last that need not be put again
 };
 
 }  // namespace umbrameter

@@ -5,13 +5,17 @@
 #include "core/version.h"
 #include "lab/renamed_progress.h"
 #include "lab/score.h"
+#include "lab/technique_result.h"
+#include "metrics/shadow_quantity.h"
 #include "results/guard.h"
 #include "scenes/instances.h"
+#include "study/grid/bench_memory.h"
 #include "study/study_camera.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace umbrameter {
 namespace {
@@ -22,12 +26,15 @@ struct BenchContext {
   Renderers renderers;
   Progress& progress;
   const TruthPlan& truth;
+  BenchMemory* memory;  // may be null
 };
 
-/// The pictures of a scene's runs: all show the same surfaces.
-struct Pictures {
-  std::optional<Image> surfaces;
-  std::vector<Image> visibility;  // by entry; one plane each
+/// The truth, rendered when the first run has a picture: a shader that does not compile is found before.
+struct AskedTruth {
+  bool is_asked = false;
+  std::optional<Image> image;  // absent: it failed, or the renderers see other surfaces
+  std::vector<uint8_t> mask;   // scored pixels
+  SharedTruth shared;
 };
 
 BenchScene describe(const StudyScene& job) {
@@ -43,17 +50,17 @@ BenchScene describe(const StudyScene& job) {
   return scene;
 }
 
-/// An entry for every run that supports the scene's light; the others join `skipped`.
-std::vector<LabelledRequest> choose_runs(const BenchContext& context, BenchScene& scene,
+/// The runs that support the scene's light, an entry each; the others join `skipped`.
+std::vector<const BenchRun*> choose_runs(const BenchContext& context, BenchScene& scene,
                                          std::vector<Skip>& skipped) {
-  std::vector<LabelledRequest> requests;
+  std::vector<const BenchRun*> runs;
   for (const BenchRun& run : context.plan.runs) {
     const TechniqueRun& technique = run.technique;
     if (const auto reason = skip_reason(technique, context.job.scene)) {
       skipped.push_back({scene.name, technique.label, *reason});
       continue;
     }
-    requests.push_back({technique.label, request_of(context.plan.picture, technique, run.seed)});
+    runs.push_back(&run);
     BenchEntry entry;
     entry.label = technique.label;
     entry.technique = technique.id;
@@ -63,16 +70,14 @@ std::vector<LabelledRequest> choose_runs(const BenchContext& context, BenchScene
     entry.seed = run.seed;
     scene.entries.push_back(std::move(entry));
   }
-  return requests;
+  return runs;
 }
 
-std::string hash_of_picture(const Image& visibility) {
-  return Hasher().values(visibility.plane("visibility")).hex();
-}
-
-void take_result(TimedRun& run, BenchEntry& entry) {
-  entry.failure = run.failure;
-  if (entry.failure) return;
+void take_times(TimedRun& run, BenchEntry& entry) {
+  if (run.failure) {
+    entry.failure = run.failure;
+    return;
+  }
   entry.times = std::move(run.times);
   entry.time_ms = median_interval(frame_totals(entry.times));
   entry.parameters = run.frame.parameters;
@@ -83,65 +88,89 @@ void take_result(TimedRun& run, BenchEntry& entry) {
   entry.warnings = run.frame.warnings;
 }
 
-/// One full image a scene is kept, and the visibility of each run.
-void keep_picture(Image& image, Image& visibility, std::optional<Image>& surfaces) {
-  visibility = Image(image.width, image.height);
-  if (auto known = image.planes.extract("known"); !known.empty()) visibility.planes.insert(std::move(known));
-  const auto from = image.plane("visibility");
-  std::ranges::copy(from, visibility.add_plane("visibility").begin());
-  if (!surfaces) surfaces = std::move(image);
-  image = Image();
-}
-
-Pictures time_runs(const BenchContext& context, BenchScene& scene, std::vector<Skip>& skipped) {
-  Pictures pictures;
-  const std::vector<LabelledRequest> requests = choose_runs(context, scene, skipped);
-  pictures.visibility.resize(requests.size());
-  std::vector<TimedRun> runs = render_interleaved(
-      context.renderers.realtime, context.job.scene, requests, context.plan.timing, context.progress,
-      [&](size_t i, Frame& frame) { keep_picture(frame.image, pictures.visibility[i], pictures.surfaces); });
-  for (size_t i = 0; i < runs.size(); ++i) {
-    take_result(runs[i], scene.entries[i]);
-    if (!scene.entries[i].failure) scene.entries[i].picture_hash = hash_of_picture(pictures.visibility[i]);
-  }
-  return pictures;
-}
-
-/// Renders the truth and sets what follows from it: parity, and each run's error.
-void score_runs(const BenchContext& context, const Pictures& pictures, BenchScene& scene) {
-  const RenderRequest request = request_of(context.plan.picture);
+/// Renders the truth and sets what follows from it and the surfaces of a run: parity.
+void ask_truth(const BenchContext& context, const Image& surfaces, AskedTruth& truth, BenchScene& scene) {
+  truth.is_asked = true;
   const glm::dvec3& eye = context.job.scene.camera.eye_world;
   const double eye_world[3] = {eye.x, eye.y, eye.z};
-  Frame reference;
-  Parity parity;
   const ParityTolerance tolerance;
   scene.failure = guarded([&] {
-    reference = context.renderers.reference.render(context.job.scene, request, context.progress);
-    parity = compare_surfaces(*pictures.surfaces, reference.image, eye_world, tolerance);
+    Frame frame = context.renderers.reference.render(context.job.scene, request_of(context.plan.picture),
+                                                     context.progress);
+    const Parity parity = compare_surfaces(surfaces, frame.image, eye_world, tolerance);
+    scene.reference_device = frame.device;
+    scene.parity = parity_numbers(parity, tolerance.required_agreement);
+    scene.scorable_pixels = static_cast<size_t>(std::ranges::count(scorable_mask(frame.image), 1));
+    if (!parity.passes) return;
+    truth.mask = scored_mask(parity, frame.image);
+    scene.scored_pixels = static_cast<size_t>(std::ranges::count(truth.mask, 1));
+    truth.image = std::move(frame.image);
   });
-  if (scene.failure) return;
-  scene.reference_device = reference.device;
-  scene.parity = parity_numbers(parity, tolerance.required_agreement);
-  if (!parity.passes) return;
-  const std::vector<uint8_t> mask = scored_mask(parity, reference.image);
-  scene.scorable_pixels = static_cast<size_t>(std::ranges::count(scorable_mask(reference.image), 1));
-  scene.scored_pixels = static_cast<size_t>(std::ranges::count(mask, 1));
-  for (size_t i = 0; i < scene.entries.size(); ++i) {
-    BenchEntry& entry = scene.entries[i];
-    if (entry.failure) continue;
-    entry.failure = guarded([&] {
-      const VisibilityError error = measure_visibility_error(pictures.visibility[i], reference.image,
-                                                             known_mask(mask, pictures.visibility[i]));
-      entry.rmse = error.rmse;
-      entry.bias = error.bias;
-    });
+}
+
+void take_error(const std::optional<VisibilityError>& error, BenchEntry& entry) {
+  if (!error) return;
+  entry.rmse = error->rmse;
+  entry.bias = error->bias;
+}
+
+/// A run's first picture. `kept` is null without a memory.
+void take_first_frame(const BenchContext& context, Frame& frame, KeptRun* kept, AskedTruth& truth,
+                      BenchScene& scene, BenchEntry& entry) {
+  entry.picture_hash = Hasher().values(std::as_const(frame.image).plane("visibility")).hex();
+  if (!truth.is_asked) ask_truth(context, frame.image, truth, scene);
+  entry.failure = guarded([&] {
+    if (kept != nullptr && kept->is_known) return take_error(kept->record.result.error, entry);
+    if (!truth.image) return;
+    if (kept != nullptr) {
+      keep_scored(*context.memory, context.job.scene, frame, *truth.image, truth.shared, *kept);
+      return take_error(kept->record.result.error, entry);
+    }
+    std::optional<Image> made;
+    const Image& asked = truth_for(frame.image, *truth.image, made);
+    take_error(measure_visibility_error(frame.image, asked, known_mask(truth.mask, frame.image)), entry);
+  });
+  frame.image = Image();
+}
+
+void measure(const BenchContext& context, std::span<const BenchRun* const> runs, std::span<KeptRun> kept,
+             BenchScene& scene) {
+  std::vector<LabelledRequest> requests;
+  for (const BenchRun* run : runs) {
+    const TechniqueRun& technique = run->technique;
+    requests.push_back({technique.label, request_of(context.plan.picture, technique, run->seed)});
   }
+  AskedTruth truth;
+  std::vector<TimedRun> timed = render_interleaved(
+      context.renderers.realtime, context.job.scene, requests, context.plan.timing, context.progress,
+      [&](size_t i, Frame& frame) {
+        take_first_frame(context, frame, kept.empty() ? nullptr : &kept[i], truth, scene, scene.entries[i]);
+      });
+  for (size_t i = 0; i < runs.size(); ++i) {
+    if (!kept.empty() && !kept[i].is_known && !timed[i].failure) take_times(timed[i], kept[i].record.result);
+    take_times(timed[i], scene.entries[i]);
+  }
+}
+
+/// Measured now, or known.
+void measure_or_recall(const BenchContext& context, std::span<const BenchRun* const> runs, BenchScene& scene,
+                       std::vector<Skip>& skipped) {
+  if (context.memory == nullptr) return measure(context, runs, {}, scene);
+  std::vector<KeptRun> kept = find_runs(*context.memory, context.job, context.plan, runs);
+  if (recall_scene(*context.memory, context.plan, kept, scene)) {
+    double saved_s = 0.0;
+    for (const KeptRun& run : kept) saved_s += run.record.head.duration_s;
+    skipped.push_back({scene.name, "", "its runs and their times are stored", saved_s});
+    return;
+  }
+  measure(context, runs, kept, scene);
+  remember_scene(*context.memory, context.plan, kept, scene);
 }
 
 BenchScene bench_scene(const BenchContext& context, std::vector<Skip>& skipped) {
   BenchScene scene = describe(context.job);
-  const Pictures pictures = time_runs(context, scene, skipped);
-  if (pictures.surfaces) score_runs(context, pictures, scene);
+  const std::vector<const BenchRun*> runs = choose_runs(context, scene, skipped);
+  measure_or_recall(context, runs, scene, skipped);
   if (!context.truth.settings.empty() && !scene.failure)
     scene.failure = guarded([&] {
       const RenderRequest request = request_of(context.plan.picture);
@@ -165,7 +194,8 @@ bool is_software(const BenchResults& results) {
 }
 
 BenchResults run_bench(std::span<const StudyScene> scenes, const BenchPlan& plan, Renderers renderers,
-                       Progress& progress, const BenchSceneDone& scene_done, const TruthPlan& truth) {
+                       Progress& progress, const BenchSceneDone& scene_done, const TruthPlan& truth,
+                       BenchMemory* memory) {
   BenchResults results;
   results.version = kVersion;
   results.commit = kCommit;
@@ -174,7 +204,7 @@ BenchResults run_bench(std::span<const StudyScene> scenes, const BenchPlan& plan
     const std::string prefix =
         fmt::format("{} ({} of {}), ", full_name(job), results.scenes.size() + 1, scenes.size());
     RenamedProgress renamed(progress, [&](std::string_view task) { return prefix + std::string(task); });
-    results.scenes.push_back(bench_scene({job, plan, renderers, renamed, truth}, results.skipped));
+    results.scenes.push_back(bench_scene({job, plan, renderers, renamed, truth, memory}, results.skipped));
     if (scene_done) scene_done(results.scenes.back());
   }
   return results;

@@ -3,6 +3,8 @@
 // Time against error: every run of a study on every scene, frames timed in turn, pictures scored against one truth a
 // scene, what paper claims become of it. Sees only Renderer&.
 
+#include "lab/answers.h"
+#include "lab/keys.h"
 #include "lab/timing.h"
 #include "lab/validation.h"
 #include "results/measured.h"
@@ -10,6 +12,7 @@
 #include "study/grid/truth_curve.h"
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <span>
@@ -34,6 +37,15 @@ struct BenchPlan {
   TimingPlan timing;
   std::vector<BenchRun> runs;
   std::vector<Claim> claims;
+};
+
+/// Where a bench finds and leaves runs with their scores, as a sweep does, and the times of each scene's runs.
+struct BenchMemory {
+  LateStore& store;
+  Answers& answers;
+  Makers makers;
+  bool reuse = true;
+  std::filesystem::path scratch;  // an existing folder for files in the making
 };
 
 /// A scene of a study from one of its cameras.
@@ -82,10 +94,11 @@ bool is_software(const BenchResults& results);
 using BenchSceneDone = std::function<void(const BenchScene&)>;
 
 /// Runs everything; a run that throws is recorded and the rest goes on (Error{cancelled} passes through). `truth` may be
-/// empty.
+/// empty. With `memory` a scene whose runs were all timed in turn before is not rendered; else all are timed, and those without
+/// a score are scored.
 BenchResults run_bench(std::span<const StudyScene> scenes, const BenchPlan& plan, Renderers renderers,
-                       Progress& progress, const BenchSceneDone& scene_done = {},
-                       const TruthPlan& truth = {});
+                       Progress& progress, const BenchSceneDone& scene_done = {}, const TruthPlan& truth = {},
+                       BenchMemory* memory = nullptr);
 
 /// Every failure, as "scene: message" or "scene, run: message".
 std::vector<Failure> all_failures(const BenchResults& results);

@@ -1,9 +1,39 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/grid/make_record.h"
 
+#include "lab/stored_truth.h"
 #include "lab/technique_result.h"
+#include "metrics/shadow_quantity.h"
+#include "results/json_parts.h"
+#include "results/pictures.h"
 
 namespace umbrameter {
+namespace {
+
+std::string keep_picture(const Keeper& keeper, const Picture& picture) {
+  const std::filesystem::path file = keeper.scratch / "picture.png";
+  write_picture(file, picture);
+  return keeper.store.keep(file);
+}
+
+/// As a validation keeps it. An engine's surfaces are not those of our G-buffer.
+void keep_parity(const Keeper& keeper, const Parity& parity, const Image& image,
+                 const std::string& reference) {
+  const std::string key = parity_key(reference, keeper.makers);
+  if (image.metadata.contains("engine_parity") || keeper.store.find(key)) return;
+  ParityNumbers numbers = parity_numbers(parity, ParityTolerance{}.required_agreement);
+  numbers.picture_file = keep_picture(keeper, parity_picture(parity));
+  keeper.store.put({key, EntryKind::parity, parity_json(numbers).dump()});
+}
+
+void take_score(const Score& score, RunRecord& record) {
+  record.parity = parity_numbers(score.parity, ParityTolerance{}.required_agreement);
+  static_cast<Measures&>(record.result) = score;
+  if (score.no_diagnosis)
+    record.result.warnings.push_back("the faults could not be told apart: " + score.no_diagnosis->message);
+}
+
+}  // namespace
 
 RecordHead make_head(const StudyScene& scene, PictureQuality picture, uint64_t seed) {
   picture.seed = seed;
@@ -20,11 +50,21 @@ RunRecord make_record(const BenchRun& run, RecordHead head, const std::string& r
   return record;
 }
 
-void take_score(const Score& score, RunRecord& record) {
-  record.parity = parity_numbers(score.parity, ParityTolerance{}.required_agreement);
-  static_cast<Measures&>(record.result) = score;
-  if (score.no_diagnosis)
-    record.result.warnings.push_back("the faults could not be told apart: " + score.no_diagnosis->message);
+KeptScore keep_score(const Keeper& keeper, const Scene& scene, const Image& picture, const Image& truth,
+                     MetricChoice metrics, SharedTruth& shared, RunRecord& record) {
+  metrics.verdict = false;  // a verdict is of two runs
+  std::optional<Image> made;
+  const Image& asked = truth_for(picture, truth, made);
+  Score score = score_image(picture, asked, scene.camera.eye_world, {metrics, {}}, made ? nullptr : &shared);
+  take_score(score, record);
+  keep_parity(keeper, score.parity, picture, record.reference);
+  TechniqueResult& result = record.result;
+  if (score.diagnosis)
+    result.fault_picture_file =
+        keep_picture(keeper, fault_picture(score.fault_classes, asked.width, asked.height));
+  KeptScore kept{{picture_to_store(picture, score.mask), std::move(score.mask)}, score.scorable_pixels};
+  result.image_file = keep_image(keeper.store, kept.picture.image, keeper.scratch);
+  return kept;
 }
 
 }  // namespace umbrameter

@@ -28,8 +28,8 @@ void copy_entry(const Entry& entry, const Store& from, Store& into) {
 MergeCounts merge_store(Store& from, Store& into) {
   MergeCounts counts;
   // Devices and pages are of one machine.
-  for (const EntryKind kind :
-       {EntryKind::scene, EntryKind::reference, EntryKind::parity, EntryKind::run, EntryKind::verdict}) {
+  for (const EntryKind kind : {EntryKind::scene, EntryKind::reference, EntryKind::parity, EntryKind::run,
+                               EntryKind::verdict, EntryKind::answer}) {
     for (const Entry& entry : from.entries(kind)) {
       const auto present = into.find(entry.key);
       if (present && (kind != EntryKind::run || worth(*present) >= worth(entry.json))) {

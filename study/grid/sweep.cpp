@@ -7,13 +7,9 @@
 #include "lab/technique_result.h"
 #include "lab/validated.h"
 #include "lab/verdicts.h"
-#include "metrics/parity.h"
-#include "metrics/shadow_quantity.h"
 #include "results/guard.h"
-#include "results/json_parts.h"
 #include "results/measured.h"
 #include "results/metadata.h"
-#include "results/pictures.h"
 #include "study/grid/make_record.h"
 #include "study/grid/share_progress.h"
 
@@ -49,22 +45,6 @@ struct SweepContext {
   BaselinePicture baseline;
   SweepOutcome outcome;
 };
-
-std::string keep_picture(SweepContext& context, const Picture& picture) {
-  const std::filesystem::path file = context.scratch / "picture.png";
-  write_picture(file, picture);
-  return context.store.keep(file);
-}
-
-/// As a validation keeps it. An engine's surfaces are not those of our G-buffer.
-void keep_parity(SweepContext& context, const Parity& parity, const Image& image,
-                 const std::string& reference) {
-  const std::string key = parity_key(reference, context.plan.makers);
-  if (image.metadata.contains("engine_parity") || context.store.find(key)) return;
-  ParityNumbers numbers = parity_numbers(parity, ParityTolerance{}.required_agreement);
-  numbers.picture_file = keep_picture(context, parity_picture(parity));
-  context.store.put({key, EntryKind::parity, parity_json(numbers).dump()});
-}
 
 LabelledRequest request_of(const SweepPlan& plan, const BenchRun& run) {
   return {run.technique.label, request_of(plan.picture, run.technique, run.seed)};
@@ -114,7 +94,8 @@ Frame render_frames(SweepContext& context, const PlanStep& step, size_t baseline
       context.renderers.realtime, context.scenes[step.scene].scene, requests, timing, context.progress);
   record.result.failure = runs.front().failure;
   if (record.result.failure) return {};
-  take_frame(runs.front(), record.result);
+  take_frame(runs.front().frame, record.result);
+  take_times(runs.front(), record.result);
   if (runs.size() > 1 && !runs[1].failure) record.baseline_times = summarise(runs[1].times);
   return std::move(runs.front().frame);
 }
@@ -183,29 +164,19 @@ void render_run(SweepContext& context, const PlanStep& step, const std::string& 
   RunRecord record = make_record(run, make_head(job, plan.picture, run.seed), reference);
   const size_t baseline = baseline_of(plan, job.scene, *step.run);
   record.baseline = baseline_key(context, step, reference);
-  MetricChoice metrics = plan.metrics;
-  metrics.verdict = false;  // a verdict is of two runs
   TechniqueResult& result = record.result;
   const Frame frame = render_frames(context, step, baseline, record);
   StoredPicture picture;
   const Clock::time_point start = Clock::now();
   if (!result.failure) {
     result.failure = guarded([&] {
-      std::optional<Image> made;
-      const Image& truth = truth_for(frame.image, *context.truth.image, made);
-      Score score = score_image(frame.image, truth, job.scene.camera.eye_world, {metrics, {}},
-                                made ? nullptr : &context.truth.shared);
-      take_score(score, record);
-      keep_parity(context, score.parity, frame.image, reference);
-      if (score.diagnosis)
-        result.fault_picture_file =
-            keep_picture(context, fault_picture(score.fault_classes, truth.width, truth.height));
-      check_measured(context, step, score.error, score.scorable_pixels);
-      picture = {picture_to_store(frame.image, score.mask), std::move(score.mask)};
+      KeptScore kept = keep_score({context.store, context.scratch, plan.makers}, job.scene, frame.image,
+                                  *context.truth.image, plan.metrics, context.truth.shared, record);
+      check_measured(context, step, result.error, kept.scorable_pixels);
+      picture = std::move(kept.picture);
     });
   }
   record.head.duration_s = result.wall_time_s + seconds_since(start);
-  if (!result.failure) result.image_file = keep_image(context.store, picture.image, context.scratch);
   context.store.put({step.key, EntryKind::run, to_json_text(record)});
   ++context.outcome.rendered;
   if (result.failure)

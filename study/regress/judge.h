@@ -22,7 +22,7 @@ std::string_view name_of(CaseOutcome outcome);
 struct CaseVerdict {
   CaseOutcome outcome = CaseOutcome::pass;
   /// What failed or is undecided: a gate class (study/gate.h), "limit", "ratchet", "time", or what kept it from being
-  /// compared: "missing", "stale", "scene", "run", "size", "truth". Empty when it passes.
+  /// compared: "missing", "stale", "scene", "size", "truth". Empty when it passes.
   std::string kind;
   std::string message;  // one sentence; empty when it passes
   GateVerdict gate;     // empty when nothing was compared

@@ -2,8 +2,8 @@
 #include "study/regress/run.h"
 
 #include "lab/renamed_progress.h"
+#include "study/regress/parameter_changes.h"
 #include "study/regress/scene_work.h"
-#include "study/regress/seed_noise.h"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 namespace umbrameter {
 namespace {
 
-constexpr int kPicturesPerFailure = 3;  // pictures of a technique that a failure must hold for
+constexpr size_t kPicturesPerFailure = 3;  // pictures of a technique that a failure must hold for
 
 CaseVerdict judge(const Measured& measured, const RunWork& run, const BaselineRun& before,
                   const RegressGates& gates, bool is_same_device) {
@@ -35,16 +35,9 @@ std::optional<CaseVerdict> cannot_compare(const SceneJob& job, const BaselineSce
                         fmt::format("the scene is another: its hash was {} and is {}, so numbers of before "
                                     "say nothing (accept it with --update)",
                                     scene->hash, job.scene.hash));
-  const BaselineRun* before = scene->find(label);
-  if (before == nullptr)
-    return not_compared(
-        "missing", fmt::format("the baseline has no '{}' of this scene (take it in with --update)", label));
-  if (!run.failure && before->parameters != run.described.parameters)
-    return not_compared(
-        "run", fmt::format("the run is another: its parameters were '{}' and are '{}' (accept it with "
-                           "--update)",
-                           before->parameters, run.described.parameters));
-  return std::nullopt;
+  if (scene->find(label) != nullptr) return std::nullopt;
+  return not_compared(
+      "missing", fmt::format("the baseline has no '{}' of this scene (take it in with --update)", label));
 }
 
 bool is_settled(const CaseVerdict& verdict, const RegressGates& gates) {
@@ -55,6 +48,9 @@ bool is_settled(const CaseVerdict& verdict, const RegressGates& gates) {
 
 void add_notes(const BaselineRun& before, RegressCase& out) {
   const BaselineRun& now = *out.now;
+  if (before.parameters != now.parameters)
+    out.notes.push_back(fmt::format("the run is another: {} (accept it with --update)",
+                                    parameter_changes(before.parameters, now.parameters)));
   if (before.hash != now.hash) out.notes.push_back("the technique's manifest or shaders have changed");
   if (before.device != now.device)
     out.notes.push_back(
@@ -72,7 +68,7 @@ RegressCase check_run(const SceneWork& work, RunWork& run, const BaselineScene* 
   Measured measured;
   while (true) {
     truth.grow_to(wanted);
-    measured = measure(work, run, truth.image(), seed_sd);
+    measured = measure(work, run, truth, seed_sd);
     if (hopeless && !measured.voided) {
       out.verdict = *hopeless;
       break;
@@ -80,15 +76,15 @@ RegressCase check_run(const SceneWork& work, RunWork& run, const BaselineScene* 
     const bool is_same_device = out.before && out.before->device == run.described.device;
     out.verdict =
         out.before ? judge(measured, run, *out.before, work.plan.gates, is_same_device) : *measured.voided;
-    const bool is_out_of_budget = truth.samples() >= work.plan.most_samples_per_pixel &&
-                                  static_cast<int>(run.pictures.size()) >= kPicturesPerFailure;
+    const bool is_out_of_budget =
+        truth.samples() >= work.plan.most_samples_per_pixel && run.seeds >= kPicturesPerFailure;
     if (is_settled(out.verdict, work.plan.gates) || measured.voided || is_out_of_budget) break;
-    if (static_cast<int>(run.pictures.size()) < kPicturesPerFailure) add_picture(work, run);
+    run.seeds = std::min(run.seeds + 1, kPicturesPerFailure);
     wanted = std::min(2 * truth.samples(), work.plan.most_samples_per_pixel);
   }
   out.samples_per_pixel = truth.samples();
   out.added_samples_per_pixel = truth.samples() - work.plan.picture.samples_per_pixel;
-  out.pictures = static_cast<int>(run.pictures.size());
+  out.pictures = static_cast<int>(run.seeds);
   if (!measured.numbers) return out;
   out.now = run.described;
   out.now->numbers = *measured.numbers;
@@ -134,7 +130,7 @@ RegressResults described(const RegressPlan& plan) {
 
 void check_scene(const SceneWork& work, const Baseline& baseline, Truth& truth, RegressResults& results) {
   const BaselineScene* before = baseline.find(work.job.name);
-  std::vector<RunWork> runs = first_pictures(work, results.skipped);
+  std::vector<RunWork> runs = choose_runs(work, results.skipped);
   truth.grow_to(work.plan.picture.samples_per_pixel);
   const RegressScene scene = {work.job.name, work.job.scene.hash, truth.numbers()};
   results.scenes.push_back(scene);
@@ -142,21 +138,20 @@ void check_scene(const SceneWork& work, const Baseline& baseline, Truth& truth, 
   for (RunWork& run : runs) results.cases.push_back(check_run(work, run, before, truth));
 }
 
-RegressCase measure_run(const SceneWork& work, RunWork& run, const Truth& truth) {
+RegressCase measure_run(const SceneWork& work, RunWork& run, Truth& truth) {
   RegressCase out;
   out.scene = work.job.name;
   out.label = run.described.label;
-  while (!run.failure && run.pictures.size() < kPicturesPerFailure) add_picture(work, run);
-  Measured measured = measure(work, run, truth.image(), 0.0);
+  run.seeds = kPicturesPerFailure;
+  Measured measured = measure(work, run, truth, {});
   out.samples_per_pixel = truth.samples();
-  out.pictures = static_cast<int>(run.pictures.size());
+  out.pictures = static_cast<int>(run.seeds);
   if (measured.voided) {
     out.verdict = *measured.voided;
     return out;
   }
   out.now = run.described;
   out.now->numbers = *measured.numbers;
-  out.now->numbers.seed_sd = seed_noise_of_mse(run.pictures, truth.image(), run.mask);
   return out;
 }
 
@@ -178,6 +173,11 @@ void for_each_scene(std::span<const SceneJob> scenes, const RegressPlan& plan,
 }
 
 }  // namespace
+
+bool RegressCase::has_changed() const {
+  const bool is_fine = verdict.outcome == CaseOutcome::pass || verdict.outcome == CaseOutcome::undecided;
+  return !is_fine || (before && now && before->parameters != now->parameters);
+}
 
 size_t RegressResults::count(CaseOutcome outcome) const {
   return static_cast<size_t>(
@@ -202,7 +202,7 @@ RegressResults measure_suite(std::span<const SceneJob> scenes, const RegressPlan
                              const RegressRenderers& renderers, Progress& progress) {
   RegressResults results = described(plan);
   for_each_scene(scenes, plan, renderers, progress, [&](const SceneWork& work, Truth& truth) {
-    std::vector<RunWork> runs = first_pictures(work, results.skipped);
+    std::vector<RunWork> runs = choose_runs(work, results.skipped);
     truth.grow_to(plan.most_samples_per_pixel);
     results.scenes.push_back({work.job.name, work.job.scene.hash, truth.numbers()});
     for (RunWork& run : runs) results.cases.push_back(measure_run(work, run, truth));

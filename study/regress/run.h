@@ -2,7 +2,8 @@
 #pragma once
 // Renders what a suite names and judges it against a baseline, or makes one. Sees only Renderer&.
 
-#include "lab/validation.h"
+#include "lab/answers.h"
+#include "lab/keys.h"
 #include "study/metric_probe.h"
 #include "study/regress/baseline.h"
 #include "study/regress/judge.h"
@@ -17,8 +18,10 @@ namespace umbrameter {
 
 struct RegressRenderers {
   Renderer& realtime;
-  /// A reference with so many samples a pixel.
-  std::function<std::unique_ptr<Renderer>(int samples_per_pixel)> make_reference;
+  /// A reference with so many samples per pixel.
+  std::function<std::shared_ptr<Renderer>(int samples_per_pixel)> make_reference;
+  Makers makers = {};          // of what is kept
+  Answers* answers = nullptr;  // where numbers are kept; null: nowhere
 };
 
 struct RegressPlan {
@@ -44,6 +47,9 @@ struct RegressCase {
   int pictures = 1;                 // of different seeds
   std::vector<std::string> notes;
   std::optional<BaselineRun> before, now;  // `now` is absent for a void run
+
+  /// Whether an update takes it over: neither the same run nor as good.
+  bool has_changed() const;
 };
 
 struct RegressScene {
@@ -76,7 +82,7 @@ RegressResults measure_suite(std::span<const SceneJob> scenes, const RegressPlan
 /// What was measured, as a baseline with one reason.
 Baseline baseline_of(const RegressResults& measured, const BaselineReason& reason);
 
-/// Takes over what the check found to be neither the same nor void: failures, improvements, new cases; drops stale ones.
+/// Takes over what the check found to be neither the same nor void: failures, improvements, new cases, other parameters; drops stale ones.
 /// `measured` has those scenes and runs as measure_suite gives them. The reason names what changed.
 Baseline updated(const Baseline& baseline, const RegressResults& checked, const RegressResults& measured,
                  BaselineReason reason);

@@ -20,39 +20,41 @@ struct SceneWork {
   Progress& progress;
 };
 
-/// A truth that can get more samples.
+/// A truth that can get more samples. It is rendered when its pixels are asked for.
 class Truth {
  public:
   explicit Truth(const SceneWork& work) : work_(work) {}
 
-  /// At least so many samples a pixel; those that are there are kept.
+  /// At least so many samples per pixel; those that are there are kept.
   void grow_to(int samples);
-  const Image& image() const { return image_; }
   int samples() const { return samples_; }
-  TruthNumbers numbers() const { return truth_numbers(image_, device_, work_.plan.picture.seed); }
+  const Image& image();
+  TruthNumbers numbers();
+  /// Of what it is, in the store.
+  std::string key() const;
 
  private:
   SceneWork work_;
   Image image_;
   std::string device_;
   int samples_ = 0;
-  uint64_t parts_ = 0;
+  std::vector<int> parts_;  // samples of each
+  size_t rendered_ = 0;     // parts
 };
 
-/// One run of a scene with its pictures of different seeds.
+/// One run of a scene with its pictures of different seeds. They are drawn when nothing is known of them.
 struct RunWork {
   const TechniqueRun& run;
+  size_t seeds = 1;  // pictures that its numbers are of
   std::vector<Image> pictures;
   std::optional<Failure> failure;
   BaselineRun described;  // all but its numbers
   std::vector<uint8_t> mask;
 };
 
-/// A picture of every run of the plan that supports the scene's light, timed in turn; the others join `skipped`.
-std::vector<RunWork> first_pictures(const SceneWork& work, std::vector<Skip>& skipped);
-
-/// One more, of the next seed; or the run's failure.
-void add_picture(const SceneWork& work, RunWork& run);
+/// Every run of the plan that supports the scene's light, with a picture where the plan times them, in turn; the others join
+/// `skipped`.
+std::vector<RunWork> choose_runs(const SceneWork& work, std::vector<Skip>& skipped);
 
 /// What the gate calls void, or the numbers of all pictures against this truth.
 struct Measured {
@@ -60,7 +62,7 @@ struct Measured {
   std::optional<CaseNumbers> numbers;
 };
 
-/// `seed_sd` is what the baseline says of one picture; the mean's is less.
-Measured measure(const SceneWork& work, RunWork& run, const Image& truth, double seed_sd);
+/// `seed_sd` is what the baseline says of one picture; the mean's is less. Absent: it is measured from the run's pictures.
+Measured measure(const SceneWork& work, RunWork& run, Truth& truth, std::optional<double> seed_sd);
 
 }  // namespace umbrameter

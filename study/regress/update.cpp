@@ -52,9 +52,7 @@ Baseline updated(const Baseline& baseline, const RegressResults& checked, const 
                  BaselineReason reason) {
   Baseline out = baseline;
   for (const RegressCase& one : checked.cases) {
-    const bool is_same =
-        one.verdict.outcome == CaseOutcome::pass || one.verdict.outcome == CaseOutcome::undecided;
-    if (is_same) continue;
+    if (!one.has_changed()) continue;
     if (one.verdict.kind == "stale") {
       drop(out, one);
     } else if (one.label == kTruthLabel) {

@@ -33,6 +33,18 @@ JournalState read_journal(const std::filesystem::path& file) {
   return state;
 }
 
+std::vector<StressCell> JournalTail::take() {
+  std::vector<StressCell> cells;
+  std::ifstream in(file_);
+  in.seekg(read_);
+  for (std::string line; std::getline(in, line) && !in.eof();) {
+    read_ = in.tellg();
+    const OrderedJson json = OrderedJson::parse(line, nullptr, false);
+    if (!json.is_discarded() && !json.contains("start")) cells.push_back(read_cell(json));
+  }
+  return cells;
+}
+
 JournalWriter::JournalWriter(const std::filesystem::path& file) : path_(file), file_(file, std::ios::app) {
   if (!file_) fail_input("cannot be written", {file.string()});
   file_ << '\n';  // ends a line that was cut off

@@ -30,6 +30,18 @@ struct JournalState {
 /// An empty state when there is no file. A line that was cut off is left out.
 JournalState read_journal(const std::filesystem::path& file);
 
+/// Reads a journal while it grows.
+class JournalTail {
+ public:
+  explicit JournalTail(std::filesystem::path file) : file_(std::move(file)) {}
+  /// The cells of lines that have come since it was last asked.
+  std::vector<StressCell> take();
+
+ private:
+  std::filesystem::path file_;
+  std::streamoff read_ = 0;  // bytes of whole lines
+};
+
 /// Appends; every line reaches the file before the call returns.
 class JournalWriter {
  public:

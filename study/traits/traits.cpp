@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/traits/traits.h"
 
+#include "core/hash.h"
 #include "lab/score.h"
+#include "results/json_optional.h"
+#include "store/code_hashes.h"
 
 #include <fmt/format.h>
 
@@ -52,22 +55,44 @@ class TraitMeter {
       }
       if (result.value) result.verdict = judge(trait, *result.value);
     };
-    set(Trait::precise, [&] { return unexplained(run); });
-    set(Trait::soft, [&] { return gray_share(run); });
+    const auto set_asked = [&](Trait trait, std::optional<double> (TraitMeter::*value)(const TechniqueRun&)) {
+      set(trait, [&] { return ask(run, trait, value); });
+    };
+    set_asked(Trait::precise, &TraitMeter::unexplained);
+    set_asked(Trait::soft, &TraitMeter::gray_share);
     set(Trait::anti_aliased, [&] { return relative_stairs(run); });
-    set(Trait::contact_hardening, [&] { return hardening_slope(run); });
-    set(Trait::acne_free, [&] { return acne_without_bias(run); });
-    set(Trait::noise_free, [&] { return seed_noise(run); });
+    set_asked(Trait::contact_hardening, &TraitMeter::hardening_slope);
+    set_asked(Trait::acne_free, &TraitMeter::acne_without_bias);
+    set_asked(Trait::noise_free, &TraitMeter::seed_noise);
     return traits;
   }
 
  private:
+  std::string key_of(const TechniqueRun& run, Trait trait) const {
+    Hasher hasher;
+    hasher.text("trait").text(kTraitsCodeHash).text(name_of(trait));
+    for (const SceneJob& job : inputs_.scenes) {
+      const std::string reference = reference_key(job.scene, inputs_.picture, inputs_.makers);
+      hasher.text(run_key(reference, run, inputs_.picture.seed, {}, inputs_.makers));
+    }
+    return hasher.hex();
+  }
+
+  std::optional<double> ask(const TechniqueRun& run, Trait trait,
+                            std::optional<double> (TraitMeter::*value)(const TechniqueRun&)) {
+    Answers* const answers = inputs_.answers;
+    if (answers == nullptr) return (this->*value)(run);
+    const std::string key = key_of(run, trait);
+    std::optional<double> answer;
+    if (answers->find(key, [&](const auto& json) { answer = read_optional<double>(json.at("value")); }))
+      return answer;
+    answer = (this->*value)(run);
+    answers->keep(key, {{"value", optional_json(answer)}});
+    return answer;
+  }
+
   Image render(const TechniqueRun& run, TraitScene scene, ParameterValues more = {}, uint64_t seed = 1) {
-    RenderRequest request{.width_px = inputs_.width_px,
-                          .height_px = inputs_.height_px,
-                          .seed = seed,
-                          .technique = run.technique,
-                          .parameters = run.parameters};
+    RenderRequest request = request_of(inputs_.picture, run, seed);
     for (auto& [name, value] : more) request.parameters[name] = value;
     return inputs_.renderers.realtime.render(inputs_.scenes[scene].scene, request, progress_).image;
   }
@@ -75,9 +100,8 @@ class TraitMeter {
   const Image& reference(TraitScene scene) {
     const auto known = references_.find(scene);
     if (known != references_.end()) return known->second;
-    const RenderRequest request{
-        .width_px = inputs_.width_px, .height_px = inputs_.height_px, .technique = {}, .parameters = {}};
-    Frame frame = inputs_.renderers.reference.render(inputs_.scenes[scene].scene, request, progress_);
+    Frame frame = inputs_.renderers.reference.render(inputs_.scenes[scene].scene, request_of(inputs_.picture),
+                                                     progress_);
     return references_.emplace(scene, std::move(frame.image)).first->second;
   }
 
@@ -164,7 +188,7 @@ class TraitMeter {
   }
 
   std::optional<double> relative_stairs(const TechniqueRun& run) {
-    const std::optional<double> own = stairs_world(run);
+    const std::optional<double> own = ask(run, Trait::anti_aliased, &TraitMeter::stairs_world);
     if (run.id == "hard") hard_stairs_ = own;
     if (!own || !hard_stairs_ || *hard_stairs_ == 0.0) return std::nullopt;
     return *own / *hard_stairs_;

@@ -3,7 +3,8 @@
 // The six properties by which paper E (table 4.1) tells techniques apart, computed instead of judged. Sees only
 // Renderer&. docs/traits.md says what each number means.
 
-#include "lab/validation.h"
+#include "lab/answers.h"
+#include "lab/keys.h"
 
 #include <array>
 #include <functional>
@@ -50,12 +51,15 @@ std::span<const std::string> trait_scene_names();
 /// Parameters of the group "bias" at their neutral values: numbers at their minimum, choices at their first.
 using NeutralBias = std::function<ParameterValues(const TechniqueRun&)>;
 
+inline constexpr PictureQuality kTraitPicture{.width_px = 480, .height_px = 270, .samples_per_pixel = 1024};
+
 struct TraitInputs {
   std::span<const SceneJob> scenes;  // trait_scene_names()
   Renderers renderers;
   NeutralBias neutral_bias;
-  int width_px = 480;
-  int height_px = 270;
+  PictureQuality picture = kTraitPicture;  // the samples are those that `renderers` were made with
+  Makers makers = {};                      // of what is kept
+  Answers* answers = nullptr;              // where values are kept; null: nowhere
 };
 
 /// One row a run. The stairs of `hard` at a small map are the unit of anti_aliased. A render that fails is recorded and the

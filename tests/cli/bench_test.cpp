@@ -76,24 +76,24 @@ TEST_F(GlBenchCommand, PrintsTablesAndClaims) {
     EXPECT_THAT(result.out, HasSubstr(part));
 }
 
-TEST_F(GlBenchCommand, TruthsAreRenderedOnceAStore) {
+TEST_F(GlBenchCommand, TruthsAndRunsAreRenderedOnceAStore) {
   write_scene("scene.toml");
   write("study.toml",
         std::string(kHead) +
             "scenes = [\"scene.toml\"]\nframes = 2\n[[camera]]\nname = "
             "\"own\"\n[[camera]]\nname = \"side\"\norbit_deg = 15\n[[run]]\ntechnique = \"hard\"\n");
-  const auto bench = [&](const std::vector<std::string>& more, size_t reused) {
+  constexpr const char *kTruths = "its truth is stored", *kAll = "its runs and their times are stored";
+  const auto bench = [&](const std::vector<std::string>& more, const std::string& reused) {
     std::vector<std::string> arguments = {"bench", "study.toml", "--json"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const ProcessResult result = umbrameter(arguments);
     EXPECT_EQ(result.exit_code, 0) << result.err;
-    const std::string note = reused > 0 ? "2 truths reused, about " : "";
-    EXPECT_EQ(result.err.find("reused") != std::string::npos, reused > 0) << result.err;
-    EXPECT_THAT(result.err, HasSubstr(note));
+    EXPECT_EQ(result.err.find("2 truths reused, about ") != std::string::npos, reused == kTruths)
+        << result.err;
     const Json json = Json::parse(result.out);
-    EXPECT_EQ(json["skipped"].size(), reused);
+    EXPECT_EQ(json["skipped"].size(), reused.empty() ? 0 : 2);
     for (const Json& skip : json["skipped"]) {
-      EXPECT_EQ(skip["reason"], "its truth is stored");
+      EXPECT_EQ(skip["reason"], reused);
       EXPECT_TRUE(skip["saved_s"].is_number());
     }
     Json numbers;
@@ -102,14 +102,16 @@ TEST_F(GlBenchCommand, TruthsAreRenderedOnceAStore) {
                          scene["runs"][0]["bias"]});
     return numbers;
   };
-  const Json alone = bench({}, 0);
+  const Json alone = bench({}, "");
   EXPECT_THAT(files(), ElementsAre("scene.toml", "study.toml"));
   EXPECT_NE(alone[0][3], alone[1][3]);  // two cameras
-  EXPECT_EQ(bench({"--out", "out"}, 0), alone);
-  EXPECT_EQ(bench({"--out", "out"}, 2), alone);
-  EXPECT_EQ(bench({"--out", "out", "--no-reuse"}, 0), alone);
-  const ProcessResult sweep = umbrameter({"sweep", "study.toml", "--out", "out", "--json"});
+  EXPECT_EQ(bench({"--out", "out"}, ""), alone);
+  EXPECT_EQ(bench({"--out", "out"}, kAll), alone);
+  EXPECT_EQ(bench({"--out", "out", "--frames", "3"}, kTruths), alone) << "times of as many frames";
+  EXPECT_EQ(bench({"--out", "out", "--no-reuse"}, ""), alone);
+  const ProcessResult sweep = umbrameter({"sweep", "study.toml", "--time", "--out", "out", "--json"});
   EXPECT_EQ(Json::parse(sweep.out)["references_rendered"], 0) << sweep.err;
+  EXPECT_EQ(Json::parse(sweep.out)["rendered"], 0) << "bench has scored and timed them";
 }
 
 TEST_F(BenchCommand, SlipsAreFoundBeforeAnythingIsRendered) {

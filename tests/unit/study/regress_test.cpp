@@ -3,6 +3,7 @@
 
 #include "core/error.h"
 #include "report/regress_output.h"
+#include "study/regress/parameter_changes.h"
 #include "study/regress/run.h"
 #include "study/regress/seed_noise.h"
 #include "tests/support/process.h"
@@ -89,6 +90,12 @@ TEST(RegressNumbers, SeedsAverageOutAndTheTruthDoesNot) {
   EXPECT_DOUBLE_EQ(mean.noise_sd, 1e-5);
   EXPECT_DOUBLE_EQ(mean.measures.at("acne"), 1e-4);
   EXPECT_FALSE(mean.measures.contains("banding"));
+}
+
+TEST(RegressParameters, OnlyWhatDiffersIsSaid) {
+  EXPECT_EQ(parameter_changes("bias=0.5 fit=scene taps=16", "bias=0.5 kernel=disk taps=25"),
+            "kernel is new and disk, taps was 16 and is 25, fit (scene) is gone");
+  EXPECT_EQ(parameter_changes("bias=0.5", "bias=0.5"), "");
 }
 
 TEST(RegressJudge, TheRatchetTellsWorseFromNoise) {

@@ -3,8 +3,11 @@
 
 #include "report/stress_output.h"
 #include "study/stress/axes.h"
+#include "study/stress/journal.h"
 #include "study/stress/judge.h"
+#include "study/stress/kept_cells.h"
 #include "study/stress/suite_file.h"
+#include "tests/support/lab/fakes.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gmock/gmock.h>
@@ -165,6 +168,46 @@ TEST(StressJournal, keeps_what_was_done_and_what_was_begun) {
   EXPECT_EQ(state.open->row, "hard");
   EXPECT_NE(state.find("truth", 2), nullptr);
   EXPECT_EQ(state.find("hard", 2), nullptr);
+}
+
+TEST(StressJournal, is_read_while_it_grows) {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "journal.jsonl";
+  JournalTail tail(file);
+  EXPECT_TRUE(tail.take().empty());
+  JournalWriter writer(file);
+  writer.start({"hard", 0});
+  writer.finish(cell_of(0, ok));
+  EXPECT_EQ(tail.take().size(), 1u);
+  EXPECT_TRUE(tail.take().empty());
+  writer.finish(cell_of(1, ok));
+  std::ofstream(file, std::ios::app) << "{\"axis\":";  // cut off
+  const std::vector<StressCell> cells = tail.take();
+  ASSERT_EQ(cells.size(), 1u);
+  EXPECT_EQ(cells[0].value, 1u);
+}
+
+TEST(StressCells, WhatTheMachineDidIsNotKept) {
+  const TemporaryFolder folder;
+  LateStore store(folder.path() / "out");
+  Answers answers(store, true);
+  StressAxis axis;
+  axis.name = "size";
+  axis.values = numbers({1.0, 2.0, 3.0});
+  const StressKeys keys{
+      {.width_px = 8, .height_px = 8, .samples_per_pixel = 4}, {fake_technique("hard")}, {}, false};
+  keep_cell(answers, axis, keys, cell_of(0, ok));
+  keep_cell(answers, axis, keys, cell_of(1, hang));
+  keep_cell(answers, axis, keys, cell_of(2, crash));
+  const std::vector<StressCell> cells = kept_cells(answers, axis, keys);
+  ASSERT_EQ(cells.size(), 1u);
+  EXPECT_EQ(cells[0].row, "hard");
+  axis.values.insert(axis.values.begin(), numbers({0.5}).front());
+  axis.nominal = 1;
+  ASSERT_EQ(kept_cells(answers, axis, keys).size(), 1u);
+  EXPECT_EQ(kept_cells(answers, axis, keys)[0].value, 1u) << "its place on the axis as that is now";
+  axis.nominal = 2;
+  EXPECT_TRUE(kept_cells(answers, axis, keys).empty()) << "it was judged beside another nominal value";
 }
 
 TEST(StressAxes, are_well_formed) {

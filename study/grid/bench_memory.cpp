@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "study/grid/bench_memory.h"
+
+#include "core/clock.h"
+#include "core/hash.h"
+#include "lab/technique_result.h"
+#include "lab/validated.h"
+#include "results/json_parts.h"
+#include "results/run_json.h"
+#include "study/grid/make_record.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+namespace umbrameter {
+namespace {
+
+using OrderedJson = nlohmann::ordered_json;
+
+std::string times_key(const BenchPlan& plan, std::span<const KeptRun> runs) {
+  Hasher hasher;
+  hasher.text("times").number(plan.timing.wanted_frames).number(plan.timing.budget_s);
+  for (const KeptRun& run : runs) hasher.text(run.key);
+  return hasher.hex();
+}
+
+std::optional<RunRecord> find_run(BenchMemory& memory, const std::string& key) {
+  if (!memory.reuse || !memory.store.exists()) return std::nullopt;
+  Store& store = memory.store.store();
+  const auto json = store.find(key);
+  auto record = json ? parse_run_record(*json) : std::nullopt;
+  if (!record) record = find_validated(store, key, {});
+  if (record && record->result.failure && record->result.failure->kind != ErrorKind::input)
+    return std::nullopt;
+  return record;
+}
+
+/// What a record lacks.
+OrderedJson entry_json(const BenchEntry& entry) {
+  return {{"picture_hash", entry.picture_hash},
+          {"is_software", entry.is_software},
+          {"passes", entry.times.passes},
+          {"frames_ms", entry.times.frames_ms}};
+}
+
+void read_entry(const nlohmann::json& json, const RunRecord& record, BenchEntry& entry) {
+  const TechniqueResult& result = record.result;
+  entry.failure = result.failure;
+  entry.picture_hash = json.at("picture_hash");
+  entry.is_software = json.at("is_software");
+  entry.times = {json.at("passes"), json.at("frames_ms")};
+  entry.time_ms = median_interval(frame_totals(entry.times));
+  entry.parameters = result.parameters;
+  entry.memory_bytes = result.memory_bytes;
+  entry.device = result.device;
+  entry.timer = result.timer;
+  entry.warnings = result.warnings;
+  if (!result.error) return;
+  entry.rmse = result.error->rmse;
+  entry.bias = result.error->bias;
+}
+
+void read_scene(const nlohmann::json& json, std::span<const KeptRun> runs, BenchScene& scene) {
+  scene.reference_device = json.at("reference_device");
+  scene.parity = read_parity(json.at("parity"));
+  scene.scorable_pixels = json.at("scorable_pixels");
+  scene.scored_pixels = json.at("scored_pixels");
+  for (size_t i = 0; i < runs.size(); ++i)
+    read_entry(json.at("runs").at(i), runs[i].record, scene.entries[i]);
+}
+
+}  // namespace
+
+std::vector<KeptRun> find_runs(BenchMemory& memory, const StudyScene& job, const BenchPlan& plan,
+                               std::span<const BenchRun* const> runs) {
+  const std::string reference = reference_key(job.scene, plan.picture, memory.makers);
+  std::vector<KeptRun> found;
+  std::map<uint64_t, std::string> baselines;  // by seed: the key of its first run, as a sweep has it
+  for (const BenchRun* run : runs) {
+    KeptRun kept;
+    kept.run = run;
+    kept.key = run_key(reference, run->technique, run->seed, {}, memory.makers);
+    const auto [baseline, is_first] = baselines.try_emplace(run->seed, kept.key);
+    if (auto record = find_run(memory, kept.key)) {
+      kept.record = *std::move(record);
+      kept.is_known = true;
+    } else {
+      kept.record = make_record(*run, make_head(job, plan.picture, run->seed), reference);
+      if (!is_first) kept.record.baseline = baseline->second;
+    }
+    found.push_back(std::move(kept));
+  }
+  return found;
+}
+
+bool recall_scene(BenchMemory& memory, const BenchPlan& plan, std::span<const KeptRun> runs,
+                  BenchScene& scene) {
+  if (runs.empty() || !std::ranges::all_of(runs, &KeptRun::is_known)) return false;
+  BenchScene known = scene;
+  const bool is_found =
+      memory.answers.find(times_key(plan, runs), [&](const auto& json) { read_scene(json, runs, known); });
+  if (is_found) scene = std::move(known);
+  return is_found;
+}
+
+void keep_scored(BenchMemory& memory, const Scene& scene, const Frame& frame, const Image& truth,
+                 SharedTruth& shared, KeptRun& run) {
+  const Clock::time_point start = Clock::now();
+  RunRecord& record = run.record;
+  take_frame(frame, record.result);
+  Store& store = memory.store.store();
+  keep_score({store, memory.scratch, memory.makers}, scene, frame.image, truth, {}, shared, record);
+  record.head.duration_s = record.result.wall_time_s + seconds_since(start);
+  store.put({run.key, EntryKind::run, to_json_text(record)});
+}
+
+void remember_scene(BenchMemory& memory, const BenchPlan& plan, std::span<KeptRun> runs,
+                    const BenchScene& scene) {
+  if (!scene.parity) return;
+  OrderedJson entries = OrderedJson::array();
+  for (size_t i = 0; i < runs.size(); ++i) {
+    KeptRun& run = runs[i];
+    entries.push_back(entry_json(scene.entries[i]));
+    if (run.is_known) continue;
+    run.record.result.failure = scene.entries[i].failure;
+    if (!run.record.parity) run.record.parity = scene.parity;
+    memory.store.store().put({run.key, EntryKind::run, to_json_text(run.record)});
+  }
+  memory.answers.keep(times_key(plan, runs), {{"reference_device", scene.reference_device},
+                                              {"parity", parity_json(scene.parity)},
+                                              {"scorable_pixels", scene.scorable_pixels},
+                                              {"scored_pixels", scene.scored_pixels},
+                                              {"runs", std::move(entries)}});
+}
+
+}  // namespace umbrameter
