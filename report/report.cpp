@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/report.h"
 
+#include "core/error.h"
 #include "core/files.h"
 #include "report/assets.h"
 #include "report/before.h"
@@ -10,6 +11,8 @@
 #include "results/results_json.h"
 #include "store/store.h"
 #include "study/grid/stored_results.h"
+
+#include <fmt/format.h>
 
 #include <limits>
 #include <optional>
@@ -67,6 +70,9 @@ std::optional<Results> results_of(const std::filesystem::path& folder, bool may_
     if (auto results = stored_results(runs)) return results;
   }
   if (may_be_absent && !std::filesystem::exists(file)) return std::nullopt;
+  if (std::filesystem::is_directory(folder) && !std::filesystem::exists(file))
+    fail_input(fmt::format("'{}' has nothing that a page shows", folder.string()), {},
+               "validate, score, sweep, bench, tune, stress and regress leave something there with --out");
   return parse_results(read_file(file), file.string());
 }
 

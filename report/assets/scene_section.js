@@ -17,10 +17,17 @@ function runPart(run, lines, common, id) {
                                                           warningList(run.warnings), factList([...lines, ...common])]);
 }
 
+// What a store's runs do not know of their scene is left out.
+function sceneLine(scene) {
+  const triangles = scene.triangles > 0 ? [`${scene.triangles} triangles`] : [];
+  const light = `${scene.light.type} light${scene.light.name ? ` '${scene.light.name}'` : ""}`;
+  return [...triangles, light, `scene hash ${scene.hash}`].join("; ");
+}
+
 function sceneSection(scene, index) {
   const texts = page.texts.scenes[index], anchor = `scene-${index + 1}`;
-  const section = element("section", {class: "scene", id: anchor}, element("h2", {}, `${scene.name}: ${scene.title}`), element("p", {}, scene.doc),
-                          element("p", {class: "context"}, `${scene.triangles} triangles; ${scene.light.type} light '${scene.light.name}'; scene hash ${scene.hash}`),
+  const section = element("section", {class: "scene", id: anchor}, element("h2", {}, scene.title === scene.name ? scene.name : `${scene.name}: ${scene.title}`), element("p", {}, scene.doc),
+                          element("p", {class: "context"}, sceneLine(scene)),
                           scene.failure ? element("p", {class: "problem"}, scene.failure.message) : null,
                           texts.parity ? element("p", {class: scene.parity.passes ? "context" : "problem"}, `Parity: ${texts.parity}`) : null,
                           warningList([...scene.warnings, ...scene.reference?.warnings ?? []]),
