@@ -126,15 +126,14 @@ int tune(const TuneOptions& options, const GlobalOptions& global) {
   const PictureQuality& picture = quality.picture;
   const PictureQuality coarse = coarse_picture(picture);
   plan.seed = picture.seed;
+  plan.kept = {memory.makers(*realtime), &memory.answers()};
   plan.full = {picture.width_px, picture.height_px, &memory.reference(picture)};
   if (!options.no_coarse && coarse.width_px >= kLeastCoarse_px)
     plan.coarse = Fidelity{coarse.width_px, coarse.height_px, &memory.reference(coarse)};
   ProgressBar progress;
   const TuneResult result = run_tune(scenes, plan, *realtime, progress);
   progress.clear();
-  print_warnings(memory.take_warnings());
-  const ReusedTruths reused = memory.take_reused();
-  if (reused.count > 0) print_note(reused_line(reused));
+  print_reuse(memory);
   const std::string json = to_json_text(plan, result);
   write_results(out, plan, result, json);
   print_answer(global.json ? json : tune_text(plan, result));
@@ -171,7 +170,7 @@ void add_tune(CLI::App& app, CommandLine& line) {
                    "also try a dense grid of so many steps a number, to check the search")
       ->check(CLI::Range(2, 100));
   verb->add_flag("--no-coarse", options->no_coarse, "never begin with smaller pictures");
-  verb->add_flag("--no-reuse", options->no_reuse, "render truths again that the store in --out knows");
+  verb->add_flag("--no-reuse", options->no_reuse, "measure again what the store in --out knows");
   add_light_option(*verb, line.global);
   add_quality_options(*verb, options->quality);
   verb->callback([options, &line] { line.verb = [options, &line] { return tune(*options, line.global); }; });

@@ -32,6 +32,7 @@ hash_code(regress ${gate} study/regress)
 hash_code(selftest ${gate} study/fault_case study/selftest)
 hash_code(traits study/traits)
 hash_code(stress study/stress)
+hash_code(tune study/tune)
 set(text "#include \"store/code_hashes.h\"
 
 namespace umbrameter {
@@ -43,6 +44,7 @@ const char* const kRegressCodeHash = \"${regress}\";
 const char* const kSelftestCodeHash = \"${selftest}\";
 const char* const kTraitsCodeHash = \"${traits}\";
 const char* const kStressCodeHash = \"${stress}\";
+const char* const kTuneCodeHash = \"${tune}\";
 
 }  // namespace umbrameter
 ")

@@ -12,5 +12,6 @@ extern const char* const kRegressCodeHash;
 extern const char* const kSelftestCodeHash;
 extern const char* const kTraitsCodeHash;
 extern const char* const kStressCodeHash;
+extern const char* const kTuneCodeHash;
 
 }  // namespace umbrameter

@@ -45,6 +45,10 @@ class Judge {
 
  private:
   Measures render(const ParameterValues& values) const;
+  Measures evaluate(const ParameterValues& values) const;
+  /// Of the gain, as a value with its interval.
+  std::optional<ObjectiveValue> measured_gain(size_t view, const ParameterValues& ours,
+                                              const ParameterValues& other) const;
 
   Studio& studio_;
   std::vector<View> views_;

@@ -39,7 +39,7 @@ class Tuning {
         start_(Clock::now()),
         space_(choose_search_space(plan.parameters, plan.tuned, plan.technique.id)),
         candidates_(make_candidates(plan, space_)),
-        studio_(realtime, plan.technique.technique, plan.seed, progress) {}
+        studio_(realtime, plan.technique, plan.seed, progress, plan.kept) {}
 
   /// Windows first, then the optimum, then what it competes with: whatever the time, what is asked most is there.
   TuneResult run() {

@@ -36,6 +36,7 @@ struct TunePlan {
   std::optional<Fidelity> coarse;  // where the search begins; absent: at full size
   Fidelity full;
   std::vector<std::string> notes;  // go into the result's
+  EvaluationStore kept = {};       // of what is measured of pictures
 };
 
 /// The objective on one view.

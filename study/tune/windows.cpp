@@ -3,7 +3,8 @@
 
 #include "core/statistics.h"
 #include "results/guard.h"
-#include "study/tune/draw_and_score.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -32,31 +33,39 @@ class WindowMeasure {
       : studio_(studio), judge_(judge), objective_(objective), kind_(kind), falls_(falls) {}
 
   std::optional<WindowPoint> at(const ParameterValues& values, double value) const {
-    WindowPoint point{value, 0.0, 0.0, 0.0};
-    size_t measured = 0;
-    const std::vector<View>& views = judge_.views();
+    std::vector<Numbers> measured;
     const auto failure = guarded([&] {
-      draw_and_score(
-          views.size(), [&](size_t i) { return studio_.render(views[i], values); },
-          [&](size_t i, const Frame& frame) {
-            if (add(frame.image, views[i], point)) ++measured;
-            return true;
-          });
+      measured =
+          studio_.evaluate(judge_.views(), values, what(), false,
+                           [&](const Image& test, const View& view) { return numbers_of(test, view); });
     });
-    if (failure || measured == 0) return std::nullopt;
-    point.objective /= static_cast<double>(measured);
+    if (failure) return std::nullopt;
+    WindowPoint point{value, 0.0, 0.0, 0.0};
+    double count = 0.0;
+    for (const Numbers& numbers : measured) {
+      if (!numbers || numbers->size() != 3) continue;
+      point.objective += (*numbers)[0];
+      point.too_low = std::max(point.too_low, (*numbers)[1]);
+      point.too_high = std::max(point.too_high, (*numbers)[2]);
+      count += 1.0;
+    }
+    if (count == 0.0) return std::nullopt;
+    point.objective /= count;
     return point;
   }
 
  private:
-  bool add(const Image& test, const View& view, WindowPoint& point) const {
+  std::string what() const {
+    const char* const kind = kind_ == WindowKind::bias ? "bias" : "light size";
+    return fmt::format("window of {}{}, {}", kind, falls_ ? ", falling" : "", name_of(objective_));
+  }
+
+  /// The objective, and what is too low and too high.
+  Numbers numbers_of(const Image& test, const View& view) const {
     const auto objective = measure_objective(objective_, test, view.reference, view.mask, false);
     const auto faults = faults_of(kind_, falls_, test, view);
-    if (!objective || !faults) return false;
-    point.objective += objective->value;
-    point.too_low = std::max(point.too_low, faults->too_low);
-    point.too_high = std::max(point.too_high, faults->too_high);
-    return true;
+    if (!objective || !faults) return std::nullopt;
+    return std::vector{objective->value, faults->too_low, faults->too_high};
   }
 
   Studio& studio_;
