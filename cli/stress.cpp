@@ -70,7 +70,9 @@ std::vector<std::string> worker_arguments(const StressOptions& options, const Gl
   add("--seed", std::to_string(plan.picture.seed));
   add("--threads", std::to_string(global.threads));
   if (!global.device.empty()) add("--device", global.device);
+  if (!global.out.empty()) add("--out", std::filesystem::absolute(global.out).string());
   if (options.keep_pictures) arguments.push_back("--pictures");
+  if (options.no_reuse) arguments.push_back("--no-reuse");
   add("--worker-axis", axis.name);
   add("--worker-folder", folder.string());
   return arguments;
@@ -78,7 +80,7 @@ std::vector<std::string> worker_arguments(const StressOptions& options, const Gl
 
 int work(const StressOptions& options, const StressPlan& plan, const GlobalOptions& global) {
   const StressAxis axis = chosen_axes(plan, {options.worker_axis}).front();
-  work_on_axis(axis, plan, global, options.worker_folder, options.keep_pictures);
+  work_on_axis(axis, plan, global, options.worker_folder, options.keep_pictures, !options.no_reuse);
   return kExitFine;
 }
 

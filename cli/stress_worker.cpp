@@ -5,7 +5,7 @@
 #include "cli/exact_program.h"
 #include "cli/exact_truth.h"
 #include "cli/home.h"
-#include "cli/reference_renderer.h"
+#include "cli/truth_memory.h"
 #include "core/clock.h"
 #include "core/error.h"
 #include "core/files.h"
@@ -159,11 +159,11 @@ fs::path axis_folder(const fs::path& folder, const StressAxis& axis) {
 }
 
 void work_on_axis(const StressAxis& axis, const StressPlan& plan, const GlobalOptions& global,
-                  const fs::path& folder, bool keep_pictures) {
+                  const fs::path& folder, bool keep_pictures, bool reuse) {
   die_with_parent();
   const fs::path place = axis_folder(folder, axis);
   EditedRenderers renderers(global, place);
-  const auto reference = open_reference_renderer(global, plan.picture);
+  TruthMemory memory(global, global.out, reuse);
   const auto oracle_program = find_exact_program();
   const TruthOracle no_oracle = [](const Scene&, std::span<const ReceiverPoint>) { return std::nullopt; };
   const StressTools tools = {
@@ -176,7 +176,7 @@ void work_on_axis(const StressAxis& axis, const StressPlan& plan, const GlobalOp
               const std::vector<ManifestEdit>& edits) {
             return choose_technique(run.technique, assignments, renderers.home(edits));
           },
-      .reference = *reference,
+      .reference = memory.reference(plan.picture),
       .oracle = oracle_program ? exact_truth(exact_oracle_of(*oracle_program)) : no_oracle};
   const JournalState done = read_journal(journal_of(place));
   JournalWriter journal(journal_of(place));
