@@ -3,6 +3,7 @@
 
 #include "cli/preset_file.h"
 #include "cli/run_renderer.h"
+#include "cli/scene_options.h"
 #include "core/data_folder.h"
 #include "core/error.h"
 #include "realtime/manifest/activity.h"
@@ -110,7 +111,7 @@ SceneSearch scene_search(const GlobalOptions& options, const Home& home) {
     fail_input(fmt::format("the assets folder '{}' is not there", options.assets), {},
                "--assets or UMBRAMETER_ASSETS names the folder with the models");
   }
-  return {options.assets, home.library, options.light};
+  return {options.assets, home.library, options.light, chosen_time(options)};
 }
 
 std::string scene_name(const std::filesystem::path& file, const SceneSearch& search) {
@@ -124,8 +125,9 @@ std::vector<SceneJob> load_scene_jobs(const std::string& name_or_path, const Sce
   const std::filesystem::path file = resolve_scene(name_or_path, search);
   const Scene scene = load_scene(file, search);
   std::vector<SceneJob> jobs;
+  const std::string name = timed_name(scene_name(file, search), search.at);
   for (const size_t light : choose_lights(scene.lights, search.light))
-    jobs.push_back({lit_name(scene_name(file, search), scene.lights, light), lit_by(scene, light)});
+    jobs.push_back({lit_name(name, scene.lights, light), lit_by(scene, light)});
   return jobs;
 }
 

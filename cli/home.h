@@ -34,7 +34,8 @@ SceneSearch scene_search(const GlobalOptions& options, const Home& home);
 std::string scene_name(const std::filesystem::path& file, const SceneSearch& search);
 
 /// A scene of the library by name, or a scene file, once for each of its lights or for `search.light` alone: under its
-/// scene_name(), or "scene/light" when the file has several. Error{input} for a light that is not there.
+/// scene_name(), with `search.at` its timed_name(), or "scene/light" when the file has several. Error{input} for a light that is
+/// not there.
 std::vector<SceneJob> load_scene_jobs(const std::string& name_or_path, const SceneSearch& search);
 
 /// The same where one light is wanted: Error{input} when the scene has several and none is chosen.

@@ -4,10 +4,10 @@
 #include "cli/exact_check.h"
 #include "cli/exact_program.h"
 #include "cli/home.h"
-#include "cli/light_option.h"
 #include "cli/progress_bar.h"
 #include "cli/quality.h"
 #include "cli/reference_renderer.h"
+#include "cli/scene_options.h"
 #include "cli/staging.h"
 #include "core/image_io.h"
 #include "reference/ray_budget.h"
@@ -104,7 +104,7 @@ void add_reference(CLI::App& app, CommandLine& line) {
       app.add_subcommand("reference", "render the truth of a scene to --out (default reference.exr)");
   verb->fallthrough();
   verb->add_option("scene", options->scene, "library name or scene file")->required();
-  add_one_light_option(*verb, line.global);
+  add_one_view_options(*verb, line.global);
   add_quality_options(*verb, options->quality);
   verb->add_flag("--no-skip", options->no_skip, "shoot rays even where the answer is proven; same picture");
   verb->add_option(

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/console.h"
 #include "cli/home.h"
-#include "cli/light_option.h"
 #include "cli/progress_bar.h"
 #include "cli/quality.h"
+#include "cli/scene_options.h"
 #include "cli/staging.h"
 #include "core/error.h"
 #include "core/image_io.h"
@@ -126,7 +126,7 @@ void add_render(CLI::App& app, CommandLine& line) {
   verb->add_option("--preset", options->preset, "a preset of the technique, or a file that 'tune' wrote");
   verb->add_flag("--no-skip", options->no_skip,
                  "draw triangles that cannot reach the light's map, too; same picture");
-  add_one_light_option(*verb, line.global);
+  add_one_view_options(*verb, line.global);
   verb->add_option(
       "--dump", options->dump,
       "write this texture of the technique's instead: RESOURCE[:LAYER[:LEVEL]] (default resource.exr)");

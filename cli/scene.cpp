@@ -3,10 +3,10 @@
 
 #include "cli/console.h"
 #include "cli/home.h"
-#include "cli/light_option.h"
 #include "cli/quality.h"
 #include "cli/scene_export.h"
 #include "cli/scene_import.h"
+#include "cli/scene_options.h"
 #include "cli/scene_show.h"
 #include "scenes/check_scene.h"
 #include "scenes/instances.h"
@@ -55,7 +55,7 @@ int check_scenes(const std::vector<std::string>& names, const GlobalOptions& glo
   for (const std::string& name : names) {
     const std::filesystem::path file = resolve_scene(name, search);
     const Scene scene = load_scene(file, search);
-    const std::string own_name = scene_name(file, search);
+    const std::string own_name = timed_name(scene_name(file, search), search.at);
     const glm::dvec3 size_world = scene.bounds_world.max - scene.bounds_world.min;
     text += fmt::format("{}: fine; {} triangles, {:.4g} x {:.4g} x {:.4g}, {}, hash {}\n", own_name,
                         count_shown_triangles(scene), size_world.x, size_world.y, size_world.z,
@@ -143,6 +143,7 @@ void add_scene(CLI::App& app, CommandLine& line) {
   CLI::App* check_verb = verb->add_subcommand("check", "load scenes and say what is in them");
   check_verb->fallthrough();
   check_verb->add_option("scene", *names, "library names or scene files")->required();
+  add_time_options(*check_verb, line.global);
   check_verb->callback(
       [names, &line] { line.verb = [names, &line] { return check_scenes(*names, line.global); }; });
   auto quality = std::make_shared<QualityOptions>();
@@ -150,30 +151,31 @@ void add_scene(CLI::App& app, CommandLine& line) {
       verb->add_subcommand("plan", "what validate would render, and what it would skip and why");
   plan_verb->fallthrough();
   plan_verb->add_option("scene", *names, "library names or scene files")->required();
-  add_light_option(*plan_verb, line.global);
+  add_scene_options(*plan_verb, line.global);
   add_quality_options(*plan_verb, *quality);
   plan_verb->callback([names, quality, &line] {
     line.verb = [names, quality, &line] { return plan(*names, *quality, line.global); };
   });
   auto scene = std::make_shared<std::string>();
-  CLI::App* import_verb =
-      verb->add_subcommand("import", "a scene file to --out (default scene.toml) that refers to a glTF file");
+  CLI::App* import_verb = verb->add_subcommand(
+      "import", "a scene file to --out (default scene.toml) that refers to a file of another program");
   import_verb->fallthrough();
-  import_verb->add_option("file", *scene, ".gltf or .glb")->required();
+  import_verb->add_option("file", *scene, ".gltf, .glb or .fbx")->required();
+  add_time_options(*import_verb, line.global);
   import_verb->callback(
       [scene, &line] { line.verb = [scene, &line] { return import_scene(*scene, line.global); }; });
   CLI::App* show_verb =
       verb->add_subcommand("show", "a lit picture with shadows of a scene to --out (default scene.png)");
   show_verb->fallthrough();
   show_verb->add_option("scene", *scene, "library name or scene file")->required();
-  add_light_option(*show_verb, line.global);
+  add_scene_options(*show_verb, line.global);
   show_verb->callback(
       [scene, &line] { line.verb = [scene, &line] { return show_scene(*scene, line.global); }; });
   CLI::App* export_verb = verb->add_subcommand(
       "export", "mesh, camera and light for another engine, into --out (docs/your-engine.md)");
   export_verb->fallthrough();
   export_verb->add_option("scene", *scene, "library name or scene file")->required();
-  add_one_light_option(*export_verb, line.global);
+  add_one_view_options(*export_verb, line.global);
   add_quality_options(*export_verb, *quality);
   export_verb->callback([scene, quality, &line] {
     line.verb = [scene, quality, &line] { return export_scene(*scene, *quality, line.global); };

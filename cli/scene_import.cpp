@@ -2,10 +2,10 @@
 #include "cli/scene_import.h"
 
 #include "cli/console.h"
+#include "cli/scene_options.h"
 #include "core/error.h"
 #include "core/files.h"
-#include "scenes/gltf/gltf_model.h"
-#include "scenes/gltf/import_gltf.h"
+#include "scenes/import_scene.h"
 #include "scenes/instances.h"
 #include "scenes/load_scene.h"
 
@@ -16,14 +16,15 @@ namespace umbrameter {
 
 int import_scene(const std::string& name, const GlobalOptions& global) {
   namespace fs = std::filesystem;
-  if (!is_gltf(name))
-    fail_input(fmt::format("'{}' has an unknown format", name), {}, "'.gltf' and '.glb' are read");
+  if (!is_importable(name))
+    fail_input(fmt::format("'{}' has an unknown format", name), {}, "'.gltf', '.glb' and '.fbx' are read");
   const fs::path file(name);
   const fs::path target = global.out.empty() ? "scene.toml" : global.out;
   if (target.extension() != ".toml")
     fail_input(fmt::format("the output '{}' does not end in '.toml'", target.string()));
   const fs::path folder = fs::absolute(target).parent_path();
-  const ImportedScene imported = import_gltf(file, fs::relative(fs::absolute(file), folder));
+  const ImportedScene imported =
+      import_file(file, chosen_time(global), fs::relative(fs::absolute(file), folder));
   create_folder(folder);  // '../x.glb' is found from a folder that exists
   const Scene scene = parse_scene(imported.toml, target, {});
   write_file_atomically(target, imported.toml);

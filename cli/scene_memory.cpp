@@ -3,6 +3,7 @@
 
 #include "core/files.h"
 #include "core/hash.h"
+#include "results/json_parts.h"
 #include "scenes/scene_files.h"
 #include "store/code_hashes.h"
 #include "store/file_stamp.h"
@@ -22,6 +23,7 @@ std::optional<std::string> key_of(const std::filesystem::path& file, const Scene
   if (!meshes) return std::nullopt;
   Hasher hasher;
   hasher.text("scenes").text(kReferenceCodeHash).text(search.light).text(file.string()).text(read_file(file));
+  if (search.at) hasher.text("at").number(search.at->time_s).text(search.at->animation);
   for (const std::filesystem::path& mesh : *meshes) hasher.text(mesh.string()).text(file_stamp(mesh));
   return hasher.hex();
 }
@@ -42,6 +44,7 @@ Json json_of(const SceneSource& source) {
           {"light_name", scene.light_name},
           {"light_type", scene.light_type},
           {"active_light", source.active_light},
+          {"animated", animated_json(scene.animated)},
           {"triangles", scene.triangles},
           {"warnings", scene.warnings},
           {"side_files", stamps_of(source.side_files)}};
@@ -70,6 +73,7 @@ SceneSource read_source(const Json& json) {
   scene.hash = json.at("hash");
   scene.light_name = json.at("light_name");
   scene.light_type = json.at("light_type");
+  scene.animated = read_animated(json.at("animated"));
   scene.triangles = json.at("triangles");
   scene.warnings = json.at("warnings").get<std::vector<std::string>>();
   source.active_light = json.at("active_light");

@@ -2,8 +2,8 @@
 #include "lab/score.h"
 
 #include "cli/console.h"
-#include "cli/light_option.h"
 #include "cli/positive_number.h"
+#include "cli/scene_options.h"
 #include "cli/score_inputs.h"
 #include "cli/score_results.h"
 #include "cli/verbs.h"
@@ -193,7 +193,7 @@ void add_score(CLI::App& app, CommandLine& line) {
                    "share of the pixels that the truth can score that must be scored, else exit code 1")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
-  add_one_light_option(*verb, line.global);
+  add_one_view_options(*verb, line.global);
   verb->add_option("--limit", options->limit_rmse, "RMSE to keep; exit code 1 when it is above for certain")
       ->check(positive_number());
   verb->add_option("--metrics", options->metrics, kMetricsHelp);

@@ -110,6 +110,8 @@ ScoreInputs load_score_inputs(const ScoreInputOptions& options, const GlobalOpti
   check_options(options);
   if (!global.light.empty() && options.scene.empty())
     fail_input("--light goes with --scene: a reference image is of one light already");
+  if (global.time_s && options.scene.empty())
+    fail_input("--time goes with --scene: a reference image is of one moment already");
   SurfaceReading reading;
   reading.depth = options.depth == "ray" ? DepthKind::ray : DepthKind::axis;
   reading.space = parse_surface_space(options.axes, options.unit);

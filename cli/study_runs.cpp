@@ -4,6 +4,7 @@
 #include "core/error.h"
 #include "core/names.h"
 #include "scenes/choose_light.h"
+#include "scenes/import_scene.h"
 #include "scenes/seen_from.h"
 #include "study/grid/claims.h"
 
@@ -19,7 +20,7 @@ constexpr std::string_view kStagePrefix = "stage.";
 
 /// The place beside the study if there is one, as a path from here.
 std::string beside(const std::filesystem::path& study_file, const std::string& name) {
-  if (name.find('/') == std::string::npos && !name.ends_with(".toml")) return name;
+  if (name.find('/') == std::string::npos && !name.ends_with(".toml") && !is_importable(name)) return name;
   const std::filesystem::path place = study_file.parent_path() / name;
   return std::filesystem::exists(place) ? std::filesystem::absolute(place).string() : name;
 }
@@ -50,6 +51,14 @@ std::vector<size_t> chosen_lights(const StudyFile& study, const Scene& scene, co
   return chosen;
 }
 
+/// Absent: each scene as its file says.
+std::vector<std::optional<AnimationTime>> moments_of(const StudyFile& study) {
+  std::vector<std::optional<AnimationTime>> moments;
+  for (const double time_s : study.times_s) moments.push_back(AnimationTime{time_s, study.animation});
+  if (moments.empty()) moments.emplace_back();
+  return moments;
+}
+
 StudyScene seen_by(const StudyCamera& camera, const StudyScene& own) {
   return {own.name, seen_from(own.scene, camera_in(camera, own.scene.camera)), camera.name};
 }
@@ -76,11 +85,15 @@ std::vector<StudyScene> load_study_scenes(const StudyFile& study, const std::fil
   std::vector<StudyScene> scenes;
   progress.begin("loading scenes", study.scenes.size());
   for (const std::string& name : study.scenes) {
-    const Scene all_lit = load_scene(resolve_scene(beside(file, name), search), search);
-    for (const size_t light : chosen_lights(study, all_lit, search.light)) {
-      StudyScene scene{lit_name(name, all_lit.lights, light), lit_by(all_lit, light)};
-      for (const StudyCamera& camera : study.cameras) scenes.push_back(seen_by(camera, scene));
-      if (study.cameras.empty()) scenes.push_back(std::move(scene));
+    for (const std::optional<AnimationTime>& at : moments_of(study)) {
+      SceneSearch own = search;
+      own.at = at;
+      const Scene all_lit = load_scene(resolve_scene(beside(file, name), own), own);
+      for (const size_t light : chosen_lights(study, all_lit, search.light)) {
+        StudyScene scene{lit_name(timed_name(name, at), all_lit.lights, light), lit_by(all_lit, light)};
+        for (const StudyCamera& camera : study.cameras) scenes.push_back(seen_by(camera, scene));
+        if (study.cameras.empty()) scenes.push_back(std::move(scene));
+      }
     }
     progress.advance(1);
   }

@@ -13,7 +13,7 @@
 namespace umbrameter {
 
 /// Scene files and technique folders are looked for beside the study first. Scenes keep the study's names; with
-/// cameras each scene is there once a camera. Error{input} for what does not exist.
+/// cameras each scene is there once a camera, with times once a time. Error{input} for what does not exist.
 std::vector<StudyScene> load_study_scenes(const StudyFile& study, const std::filesystem::path& file,
                                           const SceneSearch& search, Progress& progress);
 

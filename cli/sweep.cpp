@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/console.h"
-#include "cli/light_option.h"
 #include "cli/progress_bar.h"
 #include "cli/reference_renderer.h"
 #include "cli/run_renderer.h"
+#include "cli/scene_options.h"
 #include "cli/staging.h"
 #include "cli/study_runs.h"
 #include "cli/sweep_text.h"

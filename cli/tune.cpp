@@ -2,9 +2,9 @@
 #include "cli/console.h"
 #include "cli/duration.h"
 #include "cli/home.h"
-#include "cli/light_option.h"
 #include "cli/progress_bar.h"
 #include "cli/quality.h"
+#include "cli/scene_options.h"
 #include "cli/truth_memory.h"
 #include "cli/tune_text.h"
 #include "core/error.h"
@@ -171,7 +171,7 @@ void add_tune(CLI::App& app, CommandLine& line) {
       ->check(CLI::Range(2, 100));
   verb->add_flag("--no-coarse", options->no_coarse, "never begin with smaller pictures");
   verb->add_flag("--no-reuse", options->no_reuse, "measure again what the store in --out knows");
-  add_light_option(*verb, line.global);
+  add_scene_options(*verb, line.global);
   add_quality_options(*verb, options->quality);
   verb->callback([options, &line] { line.verb = [options, &line] { return tune(*options, line.global); }; });
 }

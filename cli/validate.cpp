@@ -3,7 +3,6 @@
 #include "cli/home.h"
 #include "cli/interruption.h"
 #include "cli/late_realtime.h"
-#include "cli/light_option.h"
 #include "cli/page_memory.h"
 #include "cli/positive_number.h"
 #include "cli/preset_file.h"
@@ -11,6 +10,7 @@
 #include "cli/quality.h"
 #include "cli/reference_renderer.h"
 #include "cli/scene_memory.h"
+#include "cli/scene_options.h"
 #include "cli/staging.h"
 #include "cli/validation_text.h"
 #include "core/error.h"
@@ -289,7 +289,7 @@ void add_validate(CLI::App& app, CommandLine& line) {
           "faults: none, auto (the three worst of a scene, where it takes less time than the scene), worst "
           "(the three), all")
       ->capture_default_str();
-  add_light_option(*verb, line.global);
+  add_scene_options(*verb, line.global);
   add_quality_options(*verb, options->quality);
   verb->add_option("--frames", options->frames,
                    "timed frames per technique, instead of the quality's; 0 times nothing")

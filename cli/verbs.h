@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 
 namespace umbrameter {
@@ -14,7 +15,10 @@ struct GlobalOptions {
   std::string assets;  // --assets or UMBRAMETER_ASSETS; empty = none
   std::string device;
   std::string out;
-  std::string light;  // of verbs that have add_light_option(): name or number; empty = none is chosen
+  std::string
+      light;  // of verbs that have --light (cli/scene_options.h): name or number; empty = none is chosen
+  std::optional<double> time_s;  // of verbs that have --time
+  std::string animation;         // likewise; as AnimationTime's
   int threads = 0;
   bool json = false;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/console.h"
 #include "cli/home.h"
+#include "cli/scene_options.h"
 #include "cli/view_verb.h"
 #include "core/error.h"
 #include "core/files.h"
@@ -67,11 +68,14 @@ ViewSetup setup_of(const ViewOptions& options, const GlobalOptions& global) {
   setup.parameters = run.parameters;
   setup.scene = load_scene(file, search);
   setup.scenes = choices(search);
-  setup.load_scene = [search](const std::string& name) {
-    return load_scene(resolve_scene(name, search), search);
+  setup.at = search.at;
+  SceneSearch others = search;
+  others.at.reset();
+  setup.load_scene = [others](const std::string& name) {
+    return load_scene(resolve_scene(name, others), others);
   };
   if (!global.light.empty()) setup.scene.active_light = find_light(setup.scene.lights, global.light);
-  setup.scene_name = scene_name(file, search);
+  setup.scene_name = timed_name(scene_name(file, search), search.at);
   setup.open_renderer = [global, home] { return open_gl_renderer(global, home); };
   setup.techniques_folder = home.techniques;
   setup.shaders_folder = home.shaders;
@@ -145,6 +149,7 @@ void add_view(CLI::App& app, CommandLine& line) {
   verb->add_option("--set", options->assignments, "name=value; repeatable")->allow_extra_args(false);
   verb->add_option("--preset", options->preset, "a preset of the technique, or a file that 'tune' wrote");
   verb->add_option("--light", line.global.light, "name or number of the light that is shown first");
+  add_time_options(*verb, line.global);
   verb->add_option("--width", options->width_px, "of the picture at the start, px")
       ->check(CLI::Range(int64_t{64}, int64_t{8192}))
       ->capture_default_str();

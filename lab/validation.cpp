@@ -28,6 +28,7 @@ SceneResult describe(const SceneJob& job) {
   result.hash = scene.hash;
   result.light_name = scene.light().name;
   result.light_type = to_text(scene.light().type);
+  result.animated = scene.animated;
   result.triangles = count_shown_triangles(scene);
   result.warnings = scene.warnings;
   return result;

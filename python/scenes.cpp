@@ -24,6 +24,19 @@ py::tuple three(const glm::dvec3& v) {
   return py::make_tuple(v.x, v.y, v.z);
 }
 
+py::list animated_of(const Scene& scene) {
+  py::list all;
+  for (const AnimatedMesh& mesh : scene.animated) {
+    py::dict entry;
+    entry["mesh"] = mesh.mesh;
+    entry["file"] = mesh.file;
+    entry["animation"] = mesh.animation;
+    entry["time_s"] = mesh.time_s;
+    all.append(entry);
+  }
+  return all;
+}
+
 py::list list_all(const std::string& library, const std::string& assets) {
   py::list all;
   for (const SceneEntry& entry : list_scenes({assets, library, {}})) {
@@ -38,8 +51,11 @@ py::list list_all(const std::string& library, const std::string& assets) {
 }
 
 std::shared_ptr<Scene> load(const std::string& name_or_path, const std::string& library,
-                            const std::string& assets, const std::string& light) {
-  const SceneSearch search{assets, library, {}};
+                            const std::string& assets, const std::string& light,
+                            const std::optional<double>& time_s, const std::string& animation) {
+  SceneSearch search{assets, library, {}};
+  if (time_s) search.at = AnimationTime{*time_s, animation};
+  if (!time_s && !animation.empty()) fail_input("'animation' goes with 'time_s'");
   Scene scene = load_scene(resolve_scene(name_or_path, search), search);
   if (scene.lights.size() > 1) {
     if (light.empty()) {
@@ -59,7 +75,7 @@ std::shared_ptr<Scene> load(const std::string& name_or_path, const std::string& 
 }  // namespace
 
 void add_scenes(py::module_& module) {
-  py::class_<Scene, std::shared_ptr<Scene>>(module, "Scene")
+  py::class_<Scene, std::shared_ptr<Scene>>(module, "Scene", py::dynamic_attr())
       .def_readonly("name", &Scene::name)
       .def_readonly("title", &Scene::title)
       .def_readonly("hash", &Scene::hash)
@@ -68,6 +84,7 @@ void add_scenes(py::module_& module) {
       .def_property_readonly("light", [](const Scene& scene) { return scene.light().name; })
       .def_property_readonly("light_type",
                              [](const Scene& scene) { return std::string(to_text(scene.light().type)); })
+      .def_property_readonly("animated", &animated_of)
       .def_property_readonly("eye_world", [](const Scene& scene) { return three(scene.camera.eye_world); })
       .def_property_readonly("instance_count",
                              [](const Scene& scene) { return list_instances(scene).size(); })
@@ -80,7 +97,8 @@ void add_scenes(py::module_& module) {
       });
   module.def("list_scenes", &list_all, py::arg("library"), py::arg("assets"));
   module.def("load_scene", &load, py::arg("name_or_path"), py::arg("library"), py::arg("assets"),
-             py::arg("light"), py::call_guard<py::gil_scoped_release>());
+             py::arg("light"), py::arg("time_s"), py::arg("animation"),
+             py::call_guard<py::gil_scoped_release>());
 }
 
 }  // namespace umbrameter::python

@@ -67,6 +67,21 @@ OrderedJson parity_json(const std::optional<ParityNumbers>& parity) {
           {"picture_file", parity->picture_file}};
 }
 
+OrderedJson animated_json(const std::vector<AnimatedMesh>& meshes) {
+  OrderedJson all = OrderedJson::array();
+  for (const AnimatedMesh& mesh : meshes)
+    all.push_back(
+        {{"mesh", mesh.mesh}, {"file", mesh.file}, {"animation", mesh.animation}, {"time_s", mesh.time_s}});
+  return all;
+}
+
+std::vector<AnimatedMesh> read_animated(const nlohmann::json& json) {
+  std::vector<AnimatedMesh> meshes;
+  for (const nlohmann::json& mesh : json)
+    meshes.push_back({mesh.at("mesh"), mesh.at("file"), mesh.at("animation"), mesh.at("time_s")});
+  return meshes;
+}
+
 OrderedJson skips_json(const std::vector<Skip>& skipped) {
   OrderedJson list = OrderedJson::array();
   for (const Skip& skip : skipped) {

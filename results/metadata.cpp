@@ -15,6 +15,9 @@ void add_metadata(Frame& frame, const Scene& scene, const RenderRequest& request
   metadata["scene"] = scene.name;
   metadata["scene_hash"] = scene.hash;
   metadata["light"] = fmt::format("{} ({})", scene.light().name, to_text(scene.light().type));
+  for (const AnimatedMesh& mesh : scene.animated)
+    metadata["animated"] += fmt::format("{}{}: {} at {} s", metadata["animated"].empty() ? "" : ", ",
+                                        mesh.mesh, mesh.animation, mesh.time_s);
   metadata["eye_world"] = fmt::format("{} {} {}", eye.x, eye.y, eye.z);
   metadata["seed"] = std::to_string(request.seed);
   metadata["device"] = frame.device;

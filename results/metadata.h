@@ -9,8 +9,8 @@
 
 namespace umbrameter {
 
-/// Adds scene, scene_hash, light, eye_world, seed, device, version and commit; with a technique also
-/// technique and parameters.
+/// Adds scene, scene_hash, light, animated ("fan: spin at 0.5 s", where something is), eye_world, seed, device, version and
+/// commit; with a technique also technique and parameters.
 void add_metadata(Frame& frame, const Scene& scene, const RenderRequest& request);
 
 /// "a=1 b=2", by name.

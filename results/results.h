@@ -14,6 +14,7 @@
 #include "metrics/temporal.h"
 #include "metrics/visibility_error.h"
 #include "results/picture_quality.h"
+#include "scenes/animation_time.h"
 
 #include <cstdint>
 #include <map>
@@ -125,6 +126,7 @@ struct SceneResult {
   std::string hash;
   std::string light_name;
   std::string light_type;
+  std::vector<AnimatedMesh> animated;  // as Scene's
   uint64_t triangles = 0;
   std::string quantity = "visibility";  // that runs were compared as (metrics/shadow_quantity.h)
   std::vector<std::string> warnings;

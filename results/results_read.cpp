@@ -2,6 +2,7 @@
 #include "results/results_json.h"
 
 #include "results/json_optional.h"
+#include "results/json_parts.h"
 #include "results/run_json.h"
 
 #include <fmt/format.h>
@@ -21,6 +22,7 @@ SceneResult read_scene(const Json& json) {
   scene.hash = json.at("hash");
   scene.light_name = json.at("light").at("name");
   scene.light_type = json.at("light").at("type");
+  if (json.contains("animated")) scene.animated = read_animated(json.at("animated"));  // older ones have none
   scene.triangles = json.at("triangles");
   scene.quantity = json.at("quantity");
   scene.warnings = json.at("warnings").get<std::vector<std::string>>();

@@ -20,6 +20,7 @@ OrderedJson scene_json(const SceneResult& scene) {
           {"doc", scene.doc},
           {"hash", scene.hash},
           {"light", {{"name", scene.light_name}, {"type", scene.light_type}}},
+          {"animated", animated_json(scene.animated)},
           {"triangles", scene.triangles},
           {"quantity", scene.quantity},
           {"warnings", scene.warnings},

@@ -197,7 +197,11 @@ void check_instanced(const Scene& scene, const InstancedMesh& mesh, std::vector<
   alone.triangles = mesh.triangles;
   alone.camera.eye_world =
       glm::inverse(glm::dmat3(place[0], place[1], place[2])) * (scene.camera.eye_world - dvec3(place[3]));
-  for (const MeshPart& part : mesh.parts) check_part(alone, part, found);
+  std::vector<std::string> own;
+  for (const MeshPart& part : mesh.parts) check_part(alone, part, own);
+  for (std::string& one : own) {  // its mirror image has said the same
+    if (std::ranges::find(found, one) == found.end()) found.push_back(std::move(one));
+  }
 }
 
 }  // namespace

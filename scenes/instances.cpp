@@ -16,13 +16,6 @@ glm::dmat3 linear_part(const glm::mat4x3& m) {
   return {glm::dvec3(m[0]), glm::dvec3(m[1]), glm::dvec3(m[2])};
 }
 
-/// Whether it turns boxes into something flat, or nothing into something.
-bool squashes(const glm::dmat3& m) {
-  constexpr double kFlattest = 1e-4;  // of the cube of the longest side
-  const double longest = std::max({glm::length(m[0]), glm::length(m[1]), glm::length(m[2])});
-  return !(std::abs(glm::determinant(m)) > kFlattest * longest * longest * longest);
-}
-
 }  // namespace
 
 glm::dvec3 Instance::p_world(uint32_t vertex) const {
@@ -81,11 +74,17 @@ bool has_shading_normals(const Scene& scene) {
          (!scene.instanced.empty() && !scene.instanced.front()->normals.empty());
 }
 
+bool squashes(const glm::dmat4& world_from_mesh) {
+  constexpr double kFlattest = 1e-4;  // of the cube of the longest side
+  const glm::dmat3 m(world_from_mesh);
+  const double longest = std::max({glm::length(m[0]), glm::length(m[1]), glm::length(m[2])});
+  return !(std::abs(glm::determinant(m)) > kFlattest * longest * longest * longest);
+}
+
 bool is_kept_once(uint64_t triangles, std::span<const glm::dmat4> world_from_mesh) {
-  if (world_from_mesh.size() < 2) return false;
-  if ((world_from_mesh.size() - 1) * triangles < kLeastCopiedTriangles) return false;
-  return std::ranges::none_of(world_from_mesh,
-                              [](const glm::dmat4& place) { return squashes(glm::dmat3(place)); });
+  const auto squashed = static_cast<size_t>(std::ranges::count_if(world_from_mesh, squashes));
+  const size_t places = world_from_mesh.size() - squashed;
+  return places >= 2 && (places - 1) * triangles >= kLeastCopiedTriangles;
 }
 
 }  // namespace umbrameter

@@ -62,9 +62,13 @@ inline uint32_t shown_id(uint32_t shown_triangle) {
 /// are more than kMaxTriangles. For what knows no instances: exact answers, files for other renderers.
 Scene flattened(const Scene& scene);
 
-/// The rule that decides whether a mesh in several places is kept once: its copies would add kLeastCopiedTriangles, and
-/// no place squashes it flat. Fewer triangles are copied: one tree over all of them is faster, and nothing changes for
-/// small scenes.
+/// Whether a place turns boxes into something flat, or nothing into something. A mesh has a copy of its own there
+/// (scenes/unroll.h), whatever its other places do.
+bool squashes(const glm::dmat4& world_from_mesh);
+
+/// The rule that decides whether a mesh in several places is kept once: at those that do not squash it copies would add
+/// kLeastCopiedTriangles. Fewer triangles are copied: one tree over all of them is faster, and nothing changes for small
+/// scenes.
 bool is_kept_once(uint64_t triangles, std::span<const glm::dmat4> world_from_mesh);
 inline constexpr uint64_t kLeastCopiedTriangles = 100'000;
 /// Shown triangles are told apart in GL by 32 bits.

@@ -2,8 +2,7 @@
 #include "scenes/load_scene.h"
 
 #include "core/files.h"
-#include "scenes/gltf/gltf_model.h"
-#include "scenes/gltf/import_gltf.h"
+#include "scenes/import_scene.h"
 #include "scenes/light_enclosure.h"
 #include "scenes/read_camera.h"
 #include "scenes/read_light.h"
@@ -74,6 +73,10 @@ Scene parse_scene(std::string_view document, const std::filesystem::path& file, 
   const std::vector<const TomlNode*> tables = reader.tables("mesh");
   if (tables.empty()) reader.fail("mesh", "there is no mesh", "add a [[mesh]] table");
   std::vector<NamedMesh> meshes = read_meshes(tables, file.parent_path(), search, scene.warnings);
+  for (const NamedMesh& mesh : meshes) {
+    if (mesh.animated) scene.animated.push_back(*mesh.animated);
+  }
+  if (search.at && scene.animated.empty()) fail_not_animated(file, search.at->time_s);
   merge_meshes(meshes, scene);
   if (scene.camera.near_world == 0.0) scene.camera.near_world = derived_near(scene);
   if (auto warning = rounding_warning(scene)) scene.warnings.push_back(std::move(*warning));
@@ -91,9 +94,11 @@ Scene seen_from(Scene scene, const Camera& camera) {
 }
 
 Scene load_scene(const std::filesystem::path& file, const SceneSearch& search) {
-  if (!is_gltf(file.string())) return parse_scene(read_file(file), file, search);
-  const ImportedScene imported = import_gltf(file);
-  Scene scene = parse_scene(imported.toml, file, search);
+  if (!is_importable(file.string())) return parse_scene(read_file(file), file, search);
+  const ImportedScene imported = import_file(file, search.at);
+  SceneSearch own = search;
+  own.at.reset();  // the text has it
+  Scene scene = parse_scene(imported.toml, file, own);
   scene.warnings.insert(scene.warnings.begin(), imported.warnings.begin(), imported.warnings.end());
   return scene;
 }

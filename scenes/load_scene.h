@@ -16,10 +16,12 @@ struct SceneSearch {
   std::filesystem::path assets;   // --assets or UMBRAMETER_ASSETS; empty = none
   std::filesystem::path library;  // folder of the built-in scenes
   std::string light = {};         // name or number of the one that verbs look at; empty = every light
+  std::optional<AnimationTime> at =
+      {};  // of all meshes whose files have animations, instead of the scene file's
 };
 
-/// Loads a scene file, with all its lights; or a glTF file as scenes/gltf/import_gltf.h reads it. Meshes named by file are looked for beside the scene file, then in `search.assets`.
-/// Error{input} with file, line, column and hint for every kind of bad input.
+/// Loads a scene file, with all its lights; or another program's file as scenes/import_scene.h reads it. Meshes named by file are looked for beside the scene file, then in `search.assets`.
+/// Error{input} with file, line, column and hint for every kind of bad input, and for `search.at` where nothing is animated.
 Scene load_scene(const std::filesystem::path& file, const SceneSearch& search);
 
 /// Parses a scene from text, as if it stood in `file`.

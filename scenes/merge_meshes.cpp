@@ -3,6 +3,7 @@
 
 #include "scenes/clean_triangles.h"
 #include "scenes/read_values.h"
+#include "scenes/unroll.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -117,11 +118,13 @@ void report_faults(const std::vector<NamedMesh>& meshes, const std::vector<uint3
     const auto duplicates = static_cast<size_t>(std::count(begin, end, TriangleFault::duplicate));
     if (zero_area + duplicates == 0) continue;
     const std::string loss = describe_loss(zero_area, duplicates);
-    if (static_cast<size_t>(end - begin) == zero_area + duplicates) {
+    const bool is_all = static_cast<size_t>(end - begin) == zero_area + duplicates;
+    if (is_all && duplicates == 0)
       fail_input(fmt::format("mesh '{}' is empty: {} had to be dropped", meshes[i].name, loss),
                  meshes[i].where);
-    }
-    scene.warnings.push_back(fmt::format("{}: dropped {}", meshes[i].label, loss));
+    // What stands where another mesh does is shown all the same.
+    scene.warnings.push_back(
+        fmt::format("{}: dropped {}{}", meshes[i].label, loss, is_all ? "; nothing of it is left" : ""));
   }
 }
 
@@ -143,6 +146,7 @@ void split_flat(MeshData& mesh) {
 }
 
 void merge_meshes(std::vector<NamedMesh>& meshes, Scene& scene) {
+  for (NamedMesh& mesh : meshes) unroll_squashed(mesh.mesh);
   const bool smooth =
       std::any_of(meshes.begin(), meshes.end(), [](const NamedMesh& mesh) { return has_normals(mesh.mesh); });
   std::vector<uint32_t> first_triangles{0};

@@ -4,6 +4,7 @@
 
 #include "scenes/mesh_data.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct NamedMesh {
   std::string label;  // for warnings: the file's name, or the mesh's name
   FileLocation where;
   MeshData mesh;
+  std::optional<AnimatedMesh> animated = {};
 };
 
 /// Fills positions, normals, triangles, parts and bounds of `scene` from `meshes` (which are emptied), in
@@ -23,8 +25,8 @@ struct NamedMesh {
 /// others get their geometric normals, each triangle its own three vertices. Parts are called "mesh" or
 /// "mesh/material". Repeated meshes become scene.instanced: a mirrored instance shows the mirror image, a mesh of its own,
 /// and of instances in one place all but the first are dropped, with a line in scene.warnings. Error{input} for coordinates
-/// that are not finite or too large, more than kMaxTriangles triangles or kMaxShownTriangles shown ones, and a mesh that has
-/// no triangle left.
+/// that are not finite or too large, more than kMaxTriangles triangles or kMaxShownTriangles shown ones, and a mesh whose
+/// triangles all have no area.
 void merge_meshes(std::vector<NamedMesh>& meshes, Scene& scene);
 
 /// Gives each triangle its own vertices, with the triangle's normal.

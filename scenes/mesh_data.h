@@ -27,7 +27,9 @@ struct MeshData {
   std::vector<Cutout> cutouts;
   std::vector<AlphaMask> masks;
   std::vector<std::filesystem::path> side_files;  // material libraries and masks that were asked for
-  std::vector<RepeatedMesh> repeated;             // besides the above: what is kept once (scenes/instances.h)
+  std::string animation;                          // what of its file's animations it shows; empty: none
+  size_t moved_views = 0;              // cameras and lights of the file that the animation moves, too
+  std::vector<RepeatedMesh> repeated;  // besides the above: what is kept once (scenes/instances.h)
 };
 
 /// A mesh in a space of its own, and where it stands.

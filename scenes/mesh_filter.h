@@ -2,6 +2,7 @@
 #pragma once
 // Which faces of a mesh file to keep.
 
+#include <compare>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@ namespace umbrameter {
 struct MeshFilter {
   std::vector<std::string> include;
   std::vector<std::string> exclude;
+  auto operator<=>(const MeshFilter&) const = default;
 };
 
 }  // namespace umbrameter

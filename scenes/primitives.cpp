@@ -48,18 +48,19 @@ void append(const Primitive& one, bool is_smooth, MeshData& mesh) {
 
 }  // namespace
 
-void place(Primitive& primitive, const glm::dmat4& world_from_node) {
+void place(Primitive::Vertex& vertex, const glm::dmat4& world_from_node) {
   // The cofactors: right for mirrored and flattened nodes, too.
   const glm::dmat3 m(world_from_node);
   const glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
-  const bool is_mirrored = glm::determinant(m) < 0.0;
-  const double side = is_mirrored ? -1.0 : 1.0;
-  for (Primitive::Vertex& vertex : primitive.vertices) {
-    vertex.p = dvec3(world_from_node * glm::dvec4(vertex.p, 1.0));
-    const dvec3 n = side * (cofactors * vertex.n);
-    vertex.n = can_normalize(n) ? glm::normalize(n) : dvec3(0.0);
-  }
-  if (!is_mirrored) return;
+  const double side = glm::determinant(m) < 0.0 ? -1.0 : 1.0;
+  vertex.p = dvec3(world_from_node * glm::dvec4(vertex.p, 1.0));
+  const dvec3 n = side * (cofactors * vertex.n);
+  vertex.n = can_normalize(n) ? glm::normalize(n) : dvec3(0.0);
+}
+
+void place(Primitive& primitive, const glm::dmat4& world_from_node) {
+  for (Primitive::Vertex& vertex : primitive.vertices) place(vertex, world_from_node);
+  if (glm::determinant(glm::dmat3(world_from_node)) >= 0.0) return;
   for (glm::uvec3& t : primitive.triangles) std::swap(t.y, t.z);
 }
 

@@ -32,6 +32,9 @@ struct Primitive {
   std::optional<uint32_t> mask;  // in the mesh's masks
 };
 
+/// Moves position and normal.
+void place(Primitive::Vertex& vertex, const glm::dmat4& world_from_node);
+
 /// Moves positions and normals, and turns triangles where `world_from_node` mirrors: outside stays outside.
 void place(Primitive& primitive, const glm::dmat4& world_from_node);
 

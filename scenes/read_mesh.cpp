@@ -18,7 +18,6 @@
 #include <cmath>
 #include <map>
 #include <set>
-#include <tuple>
 
 namespace umbrameter {
 namespace {
@@ -119,9 +118,18 @@ fs::path require_mesh_file(const TomlReader& reader, const std::string& name, co
               "give the folder of the models with --assets DIR or UMBRAMETER_ASSETS");
 }
 
-MeshData load_mesh_file(const fs::path& file, const MeshFilter& filter, std::vector<std::string>& warnings) {
-  if (is_gltf(file.string())) return load_gltf_mesh(open_gltf(file), filter, warnings);
-  if (is_read_by_assimp(file.string())) return load_assimp_mesh(file, filter, warnings);
+/// What reads one way is one mesh.
+struct FileRequest {
+  fs::path file;
+  MeshFilter filter;
+  std::optional<AnimationTime> at;
+  auto operator<=>(const FileRequest&) const = default;
+};
+
+MeshData load_mesh_file(const FileRequest& wanted, std::vector<std::string>& warnings) {
+  const auto& [file, filter, at] = wanted;
+  if (is_gltf(file.string())) return load_gltf_mesh(open_gltf(file, at), filter, warnings);
+  if (is_read_by_assimp(file.string())) return load_assimp_mesh(file, filter, at, warnings);
   return load_obj(file, filter, warnings);
 }
 
@@ -129,11 +137,39 @@ MeshData load_mesh_file(const fs::path& file, const MeshFilter& filter, std::vec
 struct MeshTable {
   NamedMesh mesh;  // of a shape: all there is
   Transform transform;
-  fs::path file;  // empty: a shape
-  MeshFilter filter;
+  FileRequest request;        // no file: a shape
+  std::string file;           // as it is named
+  FileLocation time_where;    // of 'time', if it is there
+  bool has_own_time = false;  // not that of the command line
 };
 
-MeshTable read_table(const TomlNode& table, const fs::path& folder, const SceneSearch& search) {
+/// Name or number; empty when absent.
+std::string read_animation(TomlReader& reader) {
+  const TomlNode* node = reader.find("animation");
+  if (node != nullptr && node->type == TomlNode::Type::integer) return std::to_string(node->integer);
+  return reader.text("animation", "");
+}
+
+/// `time` and `animation`; the command line's count more.
+void read_time(TomlReader& reader, const SceneSearch& search, MeshTable& table) {
+  AnimationTime own;
+  own.animation = read_animation(reader);
+  table.has_own_time = reader.has("time");
+  if (table.has_own_time) {
+    own.time_s = reader.number("time");
+    if (!std::isfinite(own.time_s)) reader.fail("time", fmt::format("'time' = {} is not finite", own.time_s));
+    table.time_where = reader.require("time").where;
+    table.request.at = own;
+  } else if (!own.animation.empty()) {
+    reader.fail("animation", "'animation' goes with 'time', in seconds");
+  }
+  if (!search.at) return;
+  table.has_own_time = false;
+  table.request.at =
+      AnimationTime{search.at->time_s, search.at->animation.empty() ? own.animation : search.at->animation};
+}
+
+MeshTable read_mesh_table(const TomlNode& table, const fs::path& folder, const SceneSearch& search) {
   TomlReader reader(table, "[[mesh]]");
   MeshTable result;
   NamedMesh& mesh = result.mesh;
@@ -153,10 +189,29 @@ MeshTable read_table(const TomlNode& table, const fs::path& folder, const SceneS
   const std::string file_name = fs::path(file).filename().string();
   mesh.name = reader.text("name", file_name.substr(0, file_name.find('.')));
   mesh.label = file_name;
-  result.filter = {reader.texts("include"), reader.texts("exclude")};
+  result.file = file;
+  result.request.filter = {reader.texts("include"), reader.texts("exclude")};
+  read_time(reader, search, result);
   reader.finish();  // a misspelt key is cheaper to find than a large file is to load
-  result.file = require_mesh_file(reader, file, folder, search);
+  result.request.file = require_mesh_file(reader, file, folder, search);
   return result;
+}
+
+/// Of the file, and says what it moves that does not follow.
+MeshData load_table(MeshTable& table, std::vector<std::string>& warnings) {
+  MeshData mesh = load_mesh_file(table.request, warnings);
+  if (!table.request.at) return mesh;
+  if (mesh.animation.empty()) {
+    if (table.has_own_time)
+      fail_input(fmt::format("'time' is given, but '{}' has no animation", table.file), table.time_where);
+    return mesh;
+  }
+  table.mesh.animated = {table.mesh.name, table.file, mesh.animation, table.request.at->time_s};
+  if (mesh.moved_views > 0 && !table.has_own_time)
+    warnings.push_back(
+        fmt::format("{}: its animation also moves {} of its cameras and lights; those of the scene file stay",
+                    table.file, mesh.moved_views));
+  return mesh;
 }
 
 uint64_t triangles_in(const MeshData& mesh) {
@@ -183,12 +238,6 @@ MeshData repeat(MeshData loaded, const std::vector<glm::dmat4>& places) {
   return result;
 }
 
-/// Tables of one file and filter.
-using FileKey = std::tuple<fs::path, std::vector<std::string>, std::vector<std::string>>;
-FileKey key_of(const MeshTable& table) {
-  return {table.file, table.filter.include, table.filter.exclude};
-}
-
 }  // namespace
 
 std::optional<fs::path> find_mesh_file(const std::string& name, const fs::path& folder,
@@ -203,21 +252,21 @@ std::optional<fs::path> find_mesh_file(const std::string& name, const fs::path& 
 std::vector<NamedMesh> read_meshes(std::span<const TomlNode* const> tables, const fs::path& folder,
                                    const SceneSearch& search, std::vector<std::string>& warnings) {
   std::vector<MeshTable> read;
-  std::map<FileKey, std::vector<glm::dmat4>> places;
+  std::map<FileRequest, std::vector<glm::dmat4>> places;
   for (const TomlNode* table : tables) {
-    read.push_back(read_table(*table, folder, search));
-    if (!read.back().file.empty()) places[key_of(read.back())].push_back(matrix_of(read.back().transform));
+    read.push_back(read_mesh_table(*table, folder, search));
+    const FileRequest& request = read.back().request;
+    if (!request.file.empty()) places[request].push_back(matrix_of(read.back().transform));
   }
   std::vector<NamedMesh> meshes;
-  std::set<FileKey> kept_once;
+  std::set<FileRequest> kept_once;
   for (MeshTable& table : read) {
-    if (!table.file.empty()) {
-      const FileKey key = key_of(table);
-      if (kept_once.count(key) > 0) continue;
-      table.mesh.mesh = load_mesh_file(table.file, table.filter, warnings);
-      if (is_kept_once(triangles_in(table.mesh.mesh), places[key])) {
-        kept_once.insert(key);
-        table.mesh.mesh = repeat(std::move(table.mesh.mesh), places[key]);
+    if (!table.request.file.empty()) {
+      if (kept_once.count(table.request) > 0) continue;
+      table.mesh.mesh = load_table(table, warnings);
+      if (is_kept_once(triangles_in(table.mesh.mesh), places[table.request])) {
+        kept_once.insert(table.request);
+        table.mesh.mesh = repeat(std::move(table.mesh.mesh), places[table.request]);
         meshes.push_back(std::move(table.mesh));
         continue;
       }

@@ -15,7 +15,7 @@
 namespace umbrameter {
 
 /// Reads `[[mesh]]` tables (docs/scene-format.md) and brings them to world space. `folder` is the scene file's. Tables that
-/// name one file, with one filter, become one repeated mesh with the first table's name where is_kept_once() says so.
+/// name one file, with one filter and at one moment, become one repeated mesh with the first table's name where is_kept_once() says so.
 std::vector<NamedMesh> read_meshes(std::span<const TomlNode* const> tables,
                                    const std::filesystem::path& folder, const SceneSearch& search,
                                    std::vector<std::string>& warnings);

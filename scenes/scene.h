@@ -5,6 +5,7 @@
 // see bit-identical vertices.
 
 #include "core/error.h"
+#include "scenes/animation_time.h"
 #include "scenes/cutouts.h"
 #include "scenes/light.h"
 #include "scenes/shared_list.h"
@@ -63,6 +64,8 @@ struct Scene {
   std::vector<std::shared_ptr<const InstancedMesh>> instanced;  // besides the triangles above
   std::vector<std::filesystem::path>
       side_files;  // what the meshes' files named and was asked for, there or not
+  std::vector<AnimatedMesh>
+      animated;  // meshes at a moment of their files' animations; the triangles are those
   Bounds3 bounds_world;
 
   std::vector<std::string>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scenes/scene_files.h"
 
-#include "scenes/gltf/gltf_model.h"
+#include "scenes/import_scene.h"
 #include "scenes/read_mesh.h"
 
 namespace umbrameter {
 
 std::optional<std::vector<std::filesystem::path>> mesh_files(const std::filesystem::path& file,
                                                              const SceneSearch& search) {
-  if (is_gltf(file.string())) return std::vector{file};
+  if (is_importable(file.string())) return std::vector{file};
   std::vector<std::filesystem::path> files;
   try {
     const TomlNode root = parse_toml_file(file);

@@ -54,9 +54,9 @@ bool looks_like_file(const std::string& text) {
   return fs::path(text).has_extension();
 }
 
-/// A mesh has neither camera nor light; glTF files may have both, and get what they lack (scenes/gltf/import_gltf.h).
+/// A mesh has neither camera nor light; files of other programs may have both, and get what they lack (scenes/import_scene.h).
 void refuse_mesh(const std::string& file) {
-  for (const char* ending : {".obj", ".stl", ".ply", ".fbx"}) {
+  for (const char* ending : {".obj", ".stl", ".ply", ".dae"}) {
     if (!has_ending(file, ending)) continue;
     fail_input("this is a mesh, not a scene", {file},
                fmt::format("write a scene file with a [camera], a [[light]] and [[mesh]] file = \"{}\" "

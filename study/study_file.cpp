@@ -158,6 +158,34 @@ std::vector<std::string> read_lights(TomlReader& reader) {
   return lights;
 }
 
+double read_moment(const TomlNode& node) {
+  const bool is_number = node.type == TomlNode::Type::integer || node.type == TomlNode::Type::real;
+  if (!is_number || !std::isfinite(node.real))
+    fail_input("a time is no number of seconds", node.where, "time = 0.5, or time = [0, 0.25, 0.5]");
+  return node.real;
+}
+
+/// One or a list; none when absent.
+void read_times(TomlReader& reader, StudyFile& study) {
+  const TomlNode* node = reader.find("time");
+  study.animation = reader.text("animation", "");
+  if (node == nullptr) {
+    if (!study.animation.empty()) reader.fail("animation", "'animation' goes with 'time', in seconds");
+    return;
+  }
+  if (node->type != TomlNode::Type::array) {
+    study.times_s = {read_moment(*node)};
+    return;
+  }
+  if (node->items.empty()) reader.fail("time", "'time' is an empty list");
+  for (const TomlNode& item : node->items) {
+    const double time_s = read_moment(item);
+    if (std::ranges::find(study.times_s, time_s) != study.times_s.end())
+      fail_input(fmt::format("the time {} is given twice", time_s), item.where);
+    study.times_s.push_back(time_s);
+  }
+}
+
 /// One or a list.
 std::vector<std::string> read_qualities(TomlReader& reader, const std::vector<std::string>& fallback) {
   const TomlNode* node = reader.find("quality");
@@ -197,7 +225,7 @@ std::optional<PaperRatio> paper_ratio(const Claim& claim, const std::string& sce
     if (name == scene) return ratio;
   }
   for (const auto& [name, ratio] : claim.by_scene) {
-    if (scene.starts_with(name + "/")) return ratio;
+    if (scene.starts_with(name + "/") || scene.starts_with(name + "@")) return ratio;
   }
   return claim.every_scene;
 }
@@ -213,6 +241,7 @@ StudyFile read_study(const TomlNode& root) {
   study.title = reader.text("title");
   study.doc = reader.text("doc", "");
   read_scenes(reader, study);
+  read_times(reader, study);
   study.lights = read_lights(reader);
   study.cameras = read_study_cameras(reader);
   read_effort(reader, study);

@@ -55,13 +55,15 @@ struct Claim {
   FileLocation where;
 };
 
-/// The paper's ratio for `scene`, or for the scene of which it is the view under one light, if there is one.
+/// The paper's ratio for `scene`, or for the scene of which it is the view at a moment or under one light, if there is one.
 std::optional<PaperRatio> paper_ratio(const Claim& claim, const std::string& scene);
 
 struct StudyFile {
   std::string title;
   std::string doc;
   std::vector<std::string> scenes;              // as written: library names or paths
+  std::vector<double> times_s;                  // moments of the scenes' animations; none: as their files say
+  std::string animation;                        // of those; as AnimationTime's
   std::vector<std::string> lights;              // names or numbers; none: every light of each scene
   std::vector<StudyCamera> cameras;             // every scene is seen from each; none: from its own
   std::vector<std::string> qualities{"quick"};  // each a study of its own; the next four go with one

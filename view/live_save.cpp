@@ -71,8 +71,8 @@ void LiveView::save(const SaveRequest& request, const Picture& window) {
         write_picture(file, window);
         break;
       case Saved::scene:
-        write_file_atomically(
-            file, scene_toml(setup_.scene.source.file, file, state_.camera, state_.shown_light()));
+        write_file_atomically(file,
+                              scene_toml(setup_.scene, setup_.at, file, state_.camera, state_.shown_light()));
         break;
       case Saved::preset:
         write_file_atomically(file, view_preset_toml(technique, parameters, state_.shown_values()));
@@ -81,7 +81,7 @@ void LiveView::save(const SaveRequest& request, const Picture& window) {
         const fs::path scene =
             request.file.empty() ? free_name(stem, ".toml") : fs::path(file).replace_extension(".scene.toml");
         write_file_atomically(
-            scene, scene_toml(setup_.scene.source.file, scene, state_.camera, state_.shown_light()));
+            scene, scene_toml(setup_.scene, setup_.at, scene, state_.camera, state_.shown_light()));
         write_file_atomically(
             file, view_study_toml(scene.filename().string(), technique, parameters, state_.shown_values(),
                                   state_.width_px, state_.height_px));

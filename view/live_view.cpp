@@ -135,6 +135,7 @@ void LiveView::take_scene() {
 void LiveView::show_scene(const LoadedScene& loaded) {
   const ViewState before = state_;
   setup_.scene = *loaded.scene;
+  setup_.at.reset();  // others stand as their files have them
   setup_.scene_name = loaded.name;
   const Technique& technique = fitting(before.techniques, before.shown(), setup_.scene.light().type);
   setup_.technique = technique.id;

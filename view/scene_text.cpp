@@ -4,10 +4,10 @@
 #include "core/files.h"
 #include "core/toml.h"
 #include "core/toml_text.h"
-#include "scenes/gltf/gltf_model.h"
-#include "scenes/gltf/import_gltf.h"
+#include "scenes/import_scene.h"
 #include "scenes/scene_text.h"
 
+#include <algorithm>
 #include <sstream>
 
 namespace umbrameter {
@@ -34,12 +34,25 @@ std::string file_line(const std::string& line, const fs::path& from, const fs::p
          line.substr(end + 1);
 }
 
-/// What the scene file says; of a glTF file what `scene import` would write. A sentence where it is no TOML.
-std::string source_toml(const fs::path& scene_file) {
-  if (is_gltf(scene_file.string())) return import_gltf(scene_file).toml;
+/// What the scene file says; of another program's file what `scene import` would write. A sentence where it is no TOML.
+std::string source_toml(const fs::path& scene_file, const std::optional<AnimationTime>& at) {
+  if (is_importable(scene_file.string())) return import_file(scene_file, at).toml;
   std::string source = read_file(scene_file);
   parse_toml(source, scene_file.string());
   return source;
+}
+
+/// What a [[mesh]] of that file gets; nothing where it is not animated.
+std::string time_lines(const Scene& scene, const AnimationTime& at, const std::string& file_line) {
+  const size_t begin = file_line.find('"'), end = file_line.rfind('"');
+  const bool is_animated = std::ranges::any_of(scene.animated, [&](const AnimatedMesh& mesh) {
+    return end > begin && end != std::string::npos &&
+           file_line.substr(begin + 1, end - begin - 1) == mesh.file;
+  });
+  if (!is_animated) return {};
+  std::string text = fmt::format("time = {}\n", toml_number(at.time_s));
+  if (!at.animation.empty()) text += fmt::format("animation = {}\n", toml_string(at.animation));
+  return text;
 }
 
 fs::path folder_of(const fs::path& file) {
@@ -58,9 +71,11 @@ std::string changed_values(std::span<const Parameter> parameters, const Paramete
 
 }  // namespace
 
-std::string scene_toml(const fs::path& scene_file, const fs::path& target, const Camera& camera,
-                       const Light& light) {
-  const std::string source = source_toml(scene_file);
+std::string scene_toml(const Scene& scene, const std::optional<AnimationTime>& at, const fs::path& target,
+                       const Camera& camera, const Light& light) {
+  const fs::path scene_file = scene.source.file;
+  const std::string source = source_toml(scene_file, at);
+  const bool sets_time = at && !is_importable(scene_file.string());
   std::istringstream lines(source);
   std::string text, line, table;
   bool has_light = false, has_camera = false;
@@ -74,8 +89,13 @@ std::string scene_toml(const fs::path& scene_file, const fs::path& target, const
       if (is_first_light) text += "[[light]]\n" + light_keys(light) + "\n";
     }
     if (table == "camera" || table == "light") continue;
-    const bool names_file = table == "mesh" && line.starts_with("file");
+    const bool is_mesh = table == "mesh", names_file = is_mesh && line.starts_with("file");
+    const bool is_replaced =
+        sets_time && is_mesh &&
+        (line.starts_with("time") || (!at->animation.empty() && line.starts_with("animation")));
+    if (is_replaced) continue;
     text += (names_file ? file_line(line, folder_of(scene_file), folder_of(target)) : line) + "\n";
+    if (names_file && sets_time) text += time_lines(scene, *at, line);
   }
   if (!has_camera || !has_light)
     fail_input(fmt::format("{} is not a table of its own", has_camera ? "[[light]]" : "[camera]"),

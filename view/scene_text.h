@@ -6,14 +6,16 @@
 #include "scenes/scene.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace umbrameter {
 
-/// The scene file's text with the camera and the one light given, everything else as it stands. Mesh files beside
-/// `scene_file` are named so that they are found from `target`'s folder. Error{input} for a scene file that is no TOML.
-std::string scene_toml(const std::filesystem::path& scene_file, const std::filesystem::path& target,
-                       const Camera& camera, const Light& light);
+/// The text of the scene's file with the camera and the one light given, and with `at` its animated meshes at that moment,
+/// everything else as it stands. Mesh files beside the scene's file are named so that they are found from `target`'s folder.
+/// Error{input} for a scene file that is no TOML.
+std::string scene_toml(const Scene& scene, const std::optional<AnimationTime>& at,
+                       const std::filesystem::path& target, const Camera& camera, const Light& light);
 
 /// A preset file (docs/tuning.md) of every value that is not the default.
 std::string view_preset_toml(const std::string& technique, std::span<const Parameter> parameters,

@@ -23,8 +23,9 @@ struct SceneChoice {
 };
 
 struct ViewSetup {
-  Scene scene;             // with all its lights; the active one is shown first
-  std::string scene_name;  // for titles and file names
+  Scene scene;                           // with all its lights; the active one is shown first
+  std::string scene_name;                // for titles and file names
+  std::optional<AnimationTime> at = {};  // that the command line chose for this scene
   std::vector<SceneChoice> scenes;
   std::function<Scene(const std::string&)> load_scene;  // by name or file; called on a thread of its own
   std::vector<Technique> techniques;

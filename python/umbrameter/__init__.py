@@ -41,10 +41,13 @@ def scenes(assets: Optional[str] = None) -> Sequence[Mapping[str, Any]]:
     return _core.list_scenes(_library(), _assets(assets))
 
 
-def load_scene(name_or_path: Path, assets: Optional[str] = None, light: str = "") -> Scene:
+def load_scene(name_or_path: Path, assets: Optional[str] = None, light: str = "", time_s: Optional[float] = None,
+               animation: str = "") -> Scene:
     """A scene of the library by name, or a scene file. One with several lights is seen under the `light` of that name or
-    number."""
-    return _core.load_scene(os.fspath(name_or_path), _library(), _assets(assets), light)
+    number. With `time_s` its animated meshes stand where the `animation` of that name or number, else the first, has them then."""
+    scene = _core.load_scene(os.fspath(name_or_path), _library(), _assets(assets), light, time_s, animation)
+    scene.time_s, scene.animation = time_s, animation
+    return scene
 
 
 def techniques() -> Sequence[Mapping[str, Any]]:

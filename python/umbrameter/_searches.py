@@ -103,5 +103,6 @@ def render_engine(scene: Scene, request: str, width: int, height: int, seed: int
     with tempfile.TemporaryDirectory(prefix="umbrameter-") as folder:
         file = pathlib.Path(folder) / "picture.exr"
         command("render", scene.file, "--technique", request, *options({
-            "width": width, "height": height, "seed": seed, "device": device or None, "light": scene.light or None}), "--out", file)
+            "width": width, "height": height, "seed": seed, "device": device or None, "light": scene.light or None,
+            "time": scene.time_s, "animation": scene.animation or None}), "--out", file)
         return read(file)

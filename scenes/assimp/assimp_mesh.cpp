@@ -2,56 +2,34 @@
 #include "scenes/assimp/assimp_mesh.h"
 
 #include "core/error.h"
+#include "scenes/assimp/assimp_deform.h"
+#include "scenes/assimp/assimp_values.h"
 #include "scenes/file_ending.h"
 #include "scenes/instances.h"
 #include "scenes/primitives.h"
 #include "scenes/read_mask.h"
 
-#include <assimp/config.h>
 #include <assimp/material.h>
-#include <assimp/postprocess.h>
 #include <assimp/scene.h>
-#include <assimp/Importer.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
+#include <span>
 
 namespace umbrameter {
 namespace {
 
 constexpr std::array<const char*, 4> kEndings = {".fbx", ".dae", ".ply", ".stl"};
-constexpr int kDeepest = 1000;  // of nested nodes
-
-glm::dvec3 vector_of(const aiVector3D& v) {
-  return {v.x, v.y, v.z};
-}
-
-glm::dmat4 matrix_of(const aiMatrix4x4& m) {
-  return glm::transpose(glm::dmat4(m.a1, m.a2, m.a3, m.a4, m.b1, m.b2, m.b3, m.b4, m.c1, m.c2, m.c3, m.c4,
-                                   m.d1, m.d2, m.d3, m.d4));
-}
-
-bool is_finite(const aiVector3D& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
 class AssimpReader {
  public:
-  AssimpReader(const std::filesystem::path& path, const MeshFilter& filter,
-               std::vector<std::string>& warnings)
-      : path_(path), names_(filter), warnings_(warnings) {}
+  AssimpReader(const AssimpFile& file, const MeshFilter& filter, std::vector<std::string>& warnings)
+      : file_(file), path_(file.path), scene_(file.scene), names_(filter), warnings_(warnings) {}
 
   MeshData read() {
-    importer_.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
-    importer_.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);  // else identifiers
-    unsigned int steps = aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_ValidateDataStructure;
-    if (has_ending(path_.string(), ".fbx")) steps |= aiProcess_GlobalScale;  // centimetres, mostly, to metres
-    scene_ = importer_.ReadFile(path_.string(), steps);
-    if (scene_ == nullptr || scene_->mRootNode == nullptr)
-      fail(fmt::format("the file cannot be read: {}", importer_.GetErrorString()));
-    walk_node(*scene_->mRootNode, glm::dmat4(1.0), 0);
+    warnings_.insert(warnings_.end(), file_.warnings.begin(), file_.warnings.end());
+    for (const AssimpNode& node : file_.nodes) note_node(node);
     for (const Shown& shown : shown_) read_shown(shown);
     names_.require_all_seen(path_);
     if (triangle_count_ == 0) fail("the file has no triangles");
@@ -62,6 +40,8 @@ class AssimpReader {
       keep_used_masks(mesh.repeated.back().mesh);
     }
     mesh.side_files = std::move(side_files_);
+    mesh.animation = file_.animation;
+    mesh.moved_views = moved_views();
     return mesh;
   }
 
@@ -70,27 +50,32 @@ class AssimpReader {
 
   struct Shown {
     const aiMesh* mesh;
-    const aiNode* node;
-    glm::dmat4 world_from_node;
+    const AssimpNode* node;
   };
 
-  void walk_node(const aiNode& node, const glm::dmat4& world_from_parent, int depth) {
-    if (depth > kDeepest) fail(fmt::format("nodes are nested deeper than {}", kDeepest));
-    const glm::dmat4 world_from_node = world_from_parent * matrix_of(node.mTransformation);
-    for (int column = 0; column < 4; ++column) {
-      const glm::dvec4 values = world_from_node[column];
-      if (!(std::abs(values.x) + std::abs(values.y) + std::abs(values.z) < 1e30))
-        fail(fmt::format("the transform of node '{}' is not finite", node.mName.C_Str()));
+  /// Of a mesh that nothing bends, kept once where several nodes show it.
+  bool is_rigid(const aiMesh& mesh, const AssimpNode& node) const {
+    return !mesh.HasBones() && file_.morph_weights.count(node.node->mName.C_Str()) == 0;
+  }
+
+  void note_node(const AssimpNode& node) {
+    for (const unsigned int index : std::span(node.node->mMeshes, node.node->mNumMeshes)) {
+      const aiMesh& mesh = *scene_->mMeshes[index];
+      if (!names_.keeps({material_of(mesh), mesh.mName.C_Str(), node.node->mName.C_Str()})) continue;
+      if (is_rigid(mesh, node)) places_[&mesh].push_back(node.world_from_node);
+      shown_.push_back({&mesh, &node});
     }
-    for (unsigned int i = 0; i < node.mNumMeshes; ++i) {
-      const aiMesh& mesh = *scene_->mMeshes[node.mMeshes[i]];
-      if (!names_.keeps({material_of(mesh), mesh.mName.C_Str(), node.mName.C_Str()})) continue;
-      places_[&mesh].push_back(world_from_node);
-      shown_.push_back({&mesh, &node, world_from_node});
-      bones_ += mesh.HasBones() ? 1 : 0;
-    }
-    for (unsigned int i = 0; i < node.mNumChildren; ++i)
-      walk_node(*node.mChildren[i], world_from_node, depth + 1);
+  }
+
+  size_t moved_views() const {
+    size_t count = 0;
+    const auto add = [&](const aiString& name) {
+      const AssimpNode* node = find_node(file_, name.C_Str());
+      count += node != nullptr && node->is_moved ? 1 : 0;
+    };
+    for (const aiCamera* camera : std::span(scene_->mCameras, scene_->mNumCameras)) add(camera->mName);
+    for (const aiLight* light : std::span(scene_->mLights, scene_->mNumLights)) add(light->mName);
+    return count;
   }
 
   std::string material_of(const aiMesh& mesh) const {
@@ -98,8 +83,10 @@ class AssimpReader {
   }
 
   void read_shown(const Shown& shown) {
-    if (!is_kept_once(shown.mesh->mNumFaces, places_[shown.mesh])) {
-      primitives_.push_back(read_mesh(*shown.mesh, *shown.node, shown.world_from_node));
+    const bool is_copied =
+        !is_rigid(*shown.mesh, *shown.node) || !is_kept_once(shown.mesh->mNumFaces, places_[shown.mesh]);
+    if (is_copied) {
+      primitives_.push_back(read_mesh(*shown.mesh, *shown.node, shown.node->world_from_node));
       return;
     }
     const bool is_known =
@@ -107,7 +94,8 @@ class AssimpReader {
     if (!is_known) repeated_.emplace_back(shown.mesh, read_mesh(*shown.mesh, *shown.node, glm::dmat4(1.0)));
   }
 
-  Primitive read_mesh(const aiMesh& source, const aiNode& node, const glm::dmat4& world_from_mesh) {
+  Primitive read_mesh(const aiMesh& source, const AssimpNode& at, const glm::dmat4& world_from_mesh) {
+    const aiNode& node = *at.node;
     const std::string material = material_of(source), name = source.mName.C_Str();
     Primitive made;
     made.label = !material.empty() ? material : !name.empty() ? name : node.mName.C_Str();
@@ -127,7 +115,12 @@ class AssimpReader {
         made.triangles.emplace_back(face.mIndices[0], face.mIndices[1], face.mIndices[2]);
     }
     made.mask = mask_of(source.mMaterialIndex, made, has_uv);
-    place(made, world_from_mesh);
+    if (source.mNumAnimMeshes > 0 && !apply_assimp_morphs(file_, source, node.mName.C_Str(), made))
+      ++unmorphed_;
+    if (source.HasBones())
+      place_by_joints(made, read_assimp_bones(file_, source, world_from_mesh, bones_));
+    else
+      place(made, world_from_mesh);
     triangle_count_ += made.triangles.size();
     if (triangle_count_ > kMaxTriangles) fail(fmt::format("more than {} triangles", kMaxTriangles));
     return made;
@@ -173,17 +166,22 @@ class AssimpReader {
   }
 
   void say_what_is_left_out() {
-    say(bones_, "mesh with bones stands in its rest pose", "meshes with bones stand in their rest pose");
-    say(scene_->mNumAnimations, "animation is not read", "animations are not read");
+    say(bones_.boneless, "vertex without bones stays with its node",
+        "vertices without bones stay with their node");
+    say(bones_.scaled, "vertex has bones' weights that do not sum to 1: they are scaled",
+        "vertices have bones' weights that do not sum to 1: they are scaled");
+    say(unmorphed_, "mesh with morph targets has its base shape",
+        "meshes with morph targets have their base shape");
+    if (has_ending(path_.string(), ".fbx")) return;  // scenes/assimp/import_assimp.h reads them
     say(scene_->mNumCameras, "camera is not read", "cameras are not read");
     say(scene_->mNumLights, "light is not read", "lights are not read");
   }
 
+  const AssimpFile& file_;
   const std::filesystem::path& path_;
+  const aiScene* scene_;
   NameFilter names_;
   std::vector<std::string>& warnings_;
-  Assimp::Importer importer_;
-  const aiScene* scene_ = nullptr;
   std::map<const aiMesh*, std::vector<glm::dmat4>> places_;
   std::vector<Shown> shown_;
   std::vector<Primitive> primitives_;
@@ -192,7 +190,8 @@ class AssimpReader {
   std::vector<std::filesystem::path> side_files_;
   std::map<unsigned int, std::optional<uint32_t>> mask_of_material_;
   size_t triangle_count_ = 0;
-  size_t bones_ = 0;
+  AssimpBoneCounts bones_;
+  size_t unmorphed_ = 0;
 };
 
 }  // namespace
@@ -202,9 +201,14 @@ bool is_read_by_assimp(const std::string& name) {
                      [&](const char* ending) { return has_ending(name, ending); });
 }
 
-MeshData load_assimp_mesh(const std::filesystem::path& path, const MeshFilter& filter,
+MeshData load_assimp_mesh(const AssimpFile& file, const MeshFilter& filter,
                           std::vector<std::string>& warnings) {
-  return AssimpReader(path, filter, warnings).read();
+  return AssimpReader(file, filter, warnings).read();
+}
+
+MeshData load_assimp_mesh(const std::filesystem::path& path, const MeshFilter& filter,
+                          const std::optional<AnimationTime>& at, std::vector<std::string>& warnings) {
+  return load_assimp_mesh(open_assimp(path, at), filter, warnings);
 }
 
 }  // namespace umbrameter

@@ -2,6 +2,8 @@
 #include "scenes/gltf/gltf_mesh.h"
 
 #include "core/error.h"
+#include "scenes/gltf/gltf_accessor.h"
+#include "scenes/gltf/gltf_deform.h"
 #include "scenes/gltf/gltf_mask.h"
 #include "scenes/gltf/tinygltf.h"
 #include "scenes/instances.h"
@@ -9,6 +11,7 @@
 
 #include <cmath>
 #include <map>
+#include <tuple>
 
 namespace umbrameter {
 namespace {
@@ -37,6 +40,7 @@ class GltfReader {
       : file_(file), model_(*file.model), names_(filter), warnings_(warnings) {}
 
   MeshData read() {
+    warnings_.insert(warnings_.end(), file_.warnings.begin(), file_.warnings.end());
     for (const GltfNode& node : file_.nodes) note_node(node);
     for (const Shown& shown : shown_) read_node(shown);
     say_what_is_left_out();
@@ -49,13 +53,15 @@ class GltfReader {
       keep_used_masks(mesh.repeated.back().mesh);
     }
     mesh.side_files = file_.side_files;
+    mesh.animation = file_.animation;
+    mesh.moved_views = moved_views_;
     return mesh;
   }
 
  private:
   [[noreturn]] void fail(const std::string& message) const { fail_input(message, {file_.path.string()}); }
 
-  /// The primitives of a mesh that pass the filter, and where they all stand.
+  /// The primitives of a mesh that pass the filter, in one shape, and where they all stand.
   struct Places {
     std::vector<glm::dmat4> world_from_mesh;
     bool is_read = false;
@@ -63,7 +69,7 @@ class GltfReader {
   struct Shown {
     const GltfNode* node;
     std::vector<size_t> primitives;  // of its mesh
-    Places* places;
+    Places* places;                  // null: a skin moves it
   };
 
   const tinygltf::Node& source_of(const GltfNode& node) const {
@@ -81,20 +87,29 @@ class GltfReader {
     return has_material ? model_.materials[static_cast<size_t>(source.material)].name : "";
   }
 
+  const std::vector<double>& weights_of(const GltfNode& node) const {
+    return file_.morph_weights[static_cast<size_t>(node.node)];
+  }
+
   void note_node(const GltfNode& node) {
     const tinygltf::Node& source = source_of(node);
+    const bool is_view = source.camera >= 0 || source.extensions.count("KHR_lights_punctual") > 0;
+    if (is_view && node.is_moved) ++moved_views_;
     if (source.mesh < 0) return;
     if (static_cast<size_t>(source.mesh) >= model_.meshes.size())
       fail(fmt::format("{} names mesh {}, but there are {}", gltf_node_name(file_, node.node), source.mesh,
                        model_.meshes.size()));
-    if (source.skin >= 0) ++skins_;
     std::vector<size_t> kept;
     const std::vector<tinygltf::Primitive>& primitives = mesh_of(node).primitives;
     for (size_t i = 0; i < primitives.size(); ++i) {
       if (keeps(primitives[i], node)) kept.push_back(i);
     }
     if (kept.empty()) return;
-    Places& places = places_[{source.mesh, kept}];
+    if (source.skin >= 0) {
+      shown_.push_back({&node, std::move(kept), nullptr});
+      return;
+    }
+    Places& places = places_[{source.mesh, kept, weights_of(node)}];
     places.world_from_mesh.push_back(node.world_from_node);
     shown_.push_back({&node, std::move(kept), &places});
   }
@@ -104,9 +119,7 @@ class GltfReader {
       ++lines_;
       return false;
     }
-    if (!names_.keeps({material_of(source), mesh_of(node).name, source_of(node).name})) return false;
-    if (!source.targets.empty()) ++morphs_;
-    return true;
+    return names_.keeps({material_of(source), mesh_of(node).name, source_of(node).name});
   }
 
   /// As far as it can be told without reading them.
@@ -114,7 +127,7 @@ class GltfReader {
     uint64_t count = 0;
     for (const size_t i : shown.primitives) {
       const tinygltf::Primitive& primitive = mesh_of(*shown.node).primitives[i];
-      const int* position = find(primitive, "POSITION");
+      const int* position = find_gltf_attribute(primitive, "POSITION");
       const int accessor = primitive.indices >= 0 || position == nullptr ? primitive.indices : *position;
       if (accessor < 0 || static_cast<size_t>(accessor) >= model_.accessors.size()) continue;
       const size_t corners = model_.accessors[static_cast<size_t>(accessor)].count;
@@ -124,7 +137,7 @@ class GltfReader {
   }
 
   void read_node(const Shown& shown) {
-    if (!is_kept_once(triangles_in(shown), shown.places->world_from_mesh)) {
+    if (shown.places == nullptr || !is_kept_once(triangles_in(shown), shown.places->world_from_mesh)) {
       for (const size_t i : shown.primitives)
         primitives_.push_back(
             read_primitive(mesh_of(*shown.node).primitives[i], *shown.node, shown.node->world_from_node));
@@ -146,24 +159,23 @@ class GltfReader {
     read_vertices(source, node, made);
     read_triangles(source, mode_of(source), node, made);
     read_holes(source, made);
-    place(made, world_from_mesh);
+    apply_gltf_morphs(file_, source, weights_of(node), made);
+    if (const int skin = source_of(node).skin; skin >= 0)
+      place_by_joints(made, read_gltf_skin(file_, source, skin, made.vertices.size()));
+    else
+      place(made, world_from_mesh);
     triangle_count_ += made.triangles.size();
     if (triangle_count_ > kMaxTriangles) fail(fmt::format("more than {} triangles", kMaxTriangles));
     return made;
   }
 
-  const int* find(const tinygltf::Primitive& source, const std::string& name) const {
-    const auto found = source.attributes.find(name);
-    return found == source.attributes.end() ? nullptr : &found->second;
-  }
-
   void read_vertices(const tinygltf::Primitive& source, const GltfNode& node, Primitive& made) const {
-    const int* position = find(source, "POSITION");
+    const int* position = find_gltf_attribute(source, "POSITION");
     if (position == nullptr)
       fail(fmt::format("a primitive of {} has no positions", gltf_node_name(file_, node.node)));
     for (const glm::dvec4& p : read_gltf_vectors(file_, *position, "POSITION"))
       made.vertices.push_back({dvec3(p)});
-    const int* normal = find(source, "NORMAL");
+    const int* normal = find_gltf_attribute(source, "NORMAL");
     if (normal == nullptr) return;
     const std::vector<glm::dvec4> normals = read_gltf_vectors(file_, *normal, "NORMAL");
     if (normals.size() != made.vertices.size()) fail("a primitive has not as many normals as positions");
@@ -198,7 +210,7 @@ class GltfReader {
     if (!known->second) return;
     const GltfHoles& holes = known->second->second;
     made.mask = known->second->first;
-    const int* texture = find(source, fmt::format("TEXCOORD_{}", holes.texture_set));
+    const int* texture = find_gltf_attribute(source, fmt::format("TEXCOORD_{}", holes.texture_set));
     if (texture == nullptr) return;
     const std::vector<glm::dvec4> points = read_gltf_vectors(file_, *texture, "texture points");
     if (points.size() != made.vertices.size())
@@ -220,10 +232,6 @@ class GltfReader {
 
   void say_what_is_left_out() {
     say(lines_, "primitive of points or lines is left out", "primitives of points or lines are left out");
-    say(skins_, "skinned node stands in its rest pose", "skinned nodes stand in their rest pose");
-    say(morphs_, "primitive with morph targets has its base shape",
-        "primitives with morph targets have their base shape");
-    say(model_.animations.size(), "animation is not read", "animations are not read");
   }
 
   const GltfFile& file_;
@@ -231,14 +239,15 @@ class GltfReader {
   NameFilter names_;
   std::vector<std::string>& warnings_;
   std::vector<AlphaMask> masks_;
-  std::map<std::pair<int, std::vector<size_t>>, Places> places_;  // by mesh and primitives
-  std::vector<Shown> shown_;                                      // in the order of the nodes
+  std::map<std::tuple<int, std::vector<size_t>, std::vector<double>>, Places>
+      places_;                // by mesh, primitives and weights of morph targets
+  std::vector<Shown> shown_;  // in the order of the nodes
   std::vector<Primitive> primitives_;
   std::vector<std::vector<Primitive>> repeated_;  // in their meshes' own space
   std::vector<const Places*> places_of_repeated_;
   std::map<int, std::optional<std::pair<uint32_t, GltfHoles>>> holes_;  // by material; with the mask's index
   size_t triangle_count_ = 0;
-  size_t lines_ = 0, skins_ = 0, morphs_ = 0;
+  size_t lines_ = 0, moved_views_ = 0;
 };
 
 }  // namespace

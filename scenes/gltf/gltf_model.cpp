@@ -4,11 +4,11 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "scenes/file_ending.h"
+#include "scenes/gltf/gltf_animation.h"
 
 #define TINYGLTF_IMPLEMENTATION
 #include "scenes/gltf/tinygltf.h"
 
-#include <glm/gtc/quaternion.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
@@ -59,7 +59,26 @@ bool keep_picture(tinygltf::Image* image, const int, std::string*, std::string*,
   return true;
 }
 
-std::shared_ptr<const tinygltf::Model> parse(const std::filesystem::path& path, const std::string& bytes) {
+size_t count_of(const std::string& text, const std::string& part) {
+  size_t count = 0;
+  for (size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+/// tinygltf drops channels that lack something, and goes on.
+void note_dropped_channels(const std::string& said, GltfFile& file) {
+  if (const size_t count = count_of(said, "`node` field is missing in animation"); count > 0)
+    file.warnings.push_back(fmt::format("{}: {} animation channel{} without a node {} left out",
+                                        file.path.filename().string(), count, count == 1 ? "" : "s",
+                                        count == 1 ? "is" : "are"));
+  if (count_of(said, "`sampler` field is missing in animation") > 0)
+    file.animation_problem = "a channel names no sampler";
+  if (count_of(said, "`path` field is missing in animation") > 0)
+    file.animation_problem = "a channel does not say what it moves";
+}
+
+void parse(const std::string& bytes, GltfFile& file) {
+  const std::filesystem::path& path = file.path;
   auto model = std::make_shared<tinygltf::Model>();
   tinygltf::TinyGLTF loader;
   loader.SetImageLoader(keep_picture, nullptr);
@@ -76,7 +95,8 @@ std::shared_ptr<const tinygltf::Model> parse(const std::filesystem::path& path, 
   } catch (const nlohmann::json::exception& exception) {
     error = exception.what();
   }
-  if (is_fine) return model;
+  file.model = model;
+  if (is_fine) return note_dropped_channels(error, file);
   std::replace(error.begin(), error.end(), '\n', ' ');
   while (!error.empty() && (error.back() == ' ' || error.back() == '.')) error.pop_back();
   fail(path, fmt::format("not a readable glTF file: {}", error.empty() ? "no reason given" : error));
@@ -93,18 +113,36 @@ void check_extensions(const std::filesystem::path& path, const tinygltf::Model& 
   }
 }
 
-glm::dmat4 parent_from_node(const tinygltf::Node& node) {
+GltfPose pose_of(const tinygltf::Node& node) {
+  GltfPose pose;
+  const std::vector<double>&t = node.translation, &r = node.rotation, &s = node.scale;
+  if (t.size() == 3) pose.translation = glm::dvec3(t[0], t[1], t[2]);
+  if (r.size() == 4) pose.rotation = glm::dquat(r[3], r[0], r[1], r[2]);
+  if (s.size() == 3) pose.scale = glm::dvec3(s[0], s[1], s[2]);
+  return pose;
+}
+
+glm::dmat4 parent_from_node(const tinygltf::Node& node, const GltfPose& moved) {
   if (node.matrix.size() == 16) return glm::make_mat4(node.matrix.data());
+  const GltfPose own = pose_of(node);
   glm::dmat4 matrix(1.0);
-  if (node.rotation.size() == 4)
-    matrix =
-        glm::mat4_cast(glm::dquat(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]));
-  if (node.scale.size() == 3) {
-    for (int axis = 0; axis < 3; ++axis) matrix[axis] *= node.scale[static_cast<size_t>(axis)];
+  if (const auto& rotation = moved.rotation ? moved.rotation : own.rotation)
+    matrix = glm::mat4_cast(*rotation);
+  if (const auto& scale = moved.scale ? moved.scale : own.scale) {
+    for (int axis = 0; axis < 3; ++axis) matrix[axis] *= (*scale)[axis];
   }
-  if (node.translation.size() == 3)
-    matrix[3] = glm::dvec4(node.translation[0], node.translation[1], node.translation[2], 1.0);
+  if (const auto& translation = moved.translation ? moved.translation : own.translation)
+    matrix[3] = glm::dvec4(*translation, 1.0);
   return matrix;
+}
+
+/// What the animation says, else the node, else its mesh.
+std::vector<double> weights_of(const tinygltf::Model& model, const tinygltf::Node& node,
+                               const GltfPose& moved) {
+  if (moved.weights) return *moved.weights;
+  if (!node.weights.empty()) return node.weights;
+  const bool has_mesh = node.mesh >= 0 && static_cast<size_t>(node.mesh) < model.meshes.size();
+  return has_mesh ? model.meshes[static_cast<size_t>(node.mesh)].weights : std::vector<double>();
 }
 
 bool is_finite(const glm::dmat4& matrix) {
@@ -122,11 +160,11 @@ std::vector<int> roots_of(const tinygltf::Model& model) {
 }
 
 /// Depth first without recursion: a chain of nodes may be long.
-void collect_nodes(GltfFile& file) {
+void collect_nodes(GltfFile& file, const std::vector<GltfPose>& poses) {
   const tinygltf::Model& model = *file.model;
   std::vector<bool> is_seen(model.nodes.size(), false);
   std::vector<GltfNode> waiting;
-  for (const int root : roots_of(model)) waiting.push_back({root, glm::dmat4(1.0)});
+  for (const int root : roots_of(model)) waiting.push_back({root});
   std::reverse(waiting.begin(), waiting.end());
   while (!waiting.empty()) {
     const GltfNode next = waiting.back();
@@ -139,12 +177,13 @@ void collect_nodes(GltfFile& file) {
            fmt::format("{} is its own ancestor or has two parents", gltf_node_name(file, next.node)));
     is_seen[index] = true;
     const tinygltf::Node& node = model.nodes[index];
-    const glm::dmat4 world = next.world_from_node * parent_from_node(node);
+    const glm::dmat4 world = next.world_from_node * parent_from_node(node, poses[index]);
+    const bool is_moved = next.is_moved || poses[index].moves();
     if (!is_finite(world))
       fail(file.path, fmt::format("the transform of {} is not finite", gltf_node_name(file, next.node)));
-    file.nodes.push_back({next.node, world});
+    file.nodes.push_back({next.node, world, is_moved});
     for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
-      waiting.push_back({*child, world});
+      waiting.push_back({*child, world, is_moved});
   }
 }
 
@@ -156,114 +195,35 @@ void collect_side_files(GltfFile& file) {
   for (const tinygltf::Image& image : file.model->images) add(image.uri);
 }
 
-/// Where an accessor's elements stand.
-struct Elements {
-  const unsigned char* first = nullptr;
-  size_t count = 0;
-  size_t stride = 0;
-  int component_type = 0;
-  int components = 0;
-  bool is_normalized = false;
-};
-
-Elements elements_of(const GltfFile& file, int index, const std::string& what) {
-  const tinygltf::Model& model = *file.model;
-  const auto refuse = [&](const std::string& why) {
-    fail(file.path, fmt::format("accessor {} ({}) {}", index, what, why));
-  };
-  if (index < 0 || static_cast<size_t>(index) >= model.accessors.size()) refuse("does not exist");
-  const tinygltf::Accessor& accessor = model.accessors[static_cast<size_t>(index)];
-  if (accessor.sparse.isSparse) refuse("is sparse, which is not read");
-  if (accessor.bufferView < 0 || static_cast<size_t>(accessor.bufferView) >= model.bufferViews.size())
-    refuse("has no buffer view");
-  const tinygltf::BufferView& view = model.bufferViews[static_cast<size_t>(accessor.bufferView)];
-  if (view.buffer < 0 || static_cast<size_t>(view.buffer) >= model.buffers.size()) refuse("has no buffer");
-  const std::vector<unsigned char>& bytes = model.buffers[static_cast<size_t>(view.buffer)].data;
-  const int stride = accessor.ByteStride(view);
-  const int components = tinygltf::GetNumComponentsInType(static_cast<uint32_t>(accessor.type));
-  const int component_bytes =
-      tinygltf::GetComponentSizeInBytes(static_cast<uint32_t>(accessor.componentType));
-  if (stride <= 0 || components <= 0 || components > 4 || component_bytes <= 0)
-    refuse("has a type that is not read");
-  const size_t element = static_cast<size_t>(components) * static_cast<size_t>(component_bytes);
-  const size_t start = view.byteOffset + accessor.byteOffset;
-  const size_t view_end = view.byteOffset + view.byteLength;
-  const bool is_empty = accessor.count == 0;
-  const bool overflows = accessor.count > kMaxFileBytes || start > bytes.size() || view_end > bytes.size();
-  if (overflows ||
-      (!is_empty && start + (accessor.count - 1) * static_cast<size_t>(stride) + element > view_end))
-    refuse(fmt::format("wants {} elements, more than its buffer holds", accessor.count));
-  return {bytes.data() + start,   accessor.count, static_cast<size_t>(stride),
-          accessor.componentType, components,     accessor.normalized};
-}
-
-template <class T>
-double component(const unsigned char* at, bool is_normalized) {
-  T value{};
-  std::memcpy(&value, at, sizeof value);
-  if constexpr (std::is_floating_point_v<T>) return static_cast<double>(value);
-  const auto number = static_cast<double>(value);
-  return is_normalized ? std::max(number / static_cast<double>(std::numeric_limits<T>::max()), -1.0) : number;
-}
-
-double component_at(const Elements& elements, const unsigned char* element, int i) {
-  const auto at = [&]<class T>(T) {
-    return component<T>(element + static_cast<size_t>(i) * sizeof(T), elements.is_normalized);
-  };
-  switch (elements.component_type) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE:
-      return at(int8_t{});
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-      return at(uint8_t{});
-    case TINYGLTF_COMPONENT_TYPE_SHORT:
-      return at(int16_t{});
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-      return at(uint16_t{});
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-      return at(uint32_t{});
-    default:
-      return at(float{});
-  }
-}
-
 }  // namespace
 
 bool is_gltf(const std::string& name) {
   return has_ending(name, ".gltf") || has_ending(name, ".glb");
 }
 
-GltfFile open_gltf(const std::filesystem::path& path) {
+GltfFile open_gltf(const std::filesystem::path& path, const std::optional<AnimationTime>& at) {
   const std::string bytes = read_file(path);
   if (bytes.size() > kMaxFileBytes) fail(path, "the file is larger than 4 GiB");
   check_container(path, bytes);
-  GltfFile file{path, parse(path, bytes), {}, {}};
-  check_extensions(path, *file.model);
-  collect_nodes(file);
+  GltfFile file;
+  file.path = path;
+  parse(bytes, file);
+  const tinygltf::Model& model = *file.model;
+  check_extensions(path, model);
+  const std::vector<GltfPose> poses = at ? pose_gltf(file, *at) : std::vector<GltfPose>(model.nodes.size());
+  if (!at) warn_of_animations(gltf_animation_names(file), path, file.warnings);
+  for (size_t i = 0; i < model.nodes.size(); ++i)
+    file.morph_weights.push_back(weights_of(model, model.nodes[i], poses[i]));
+  collect_nodes(file, poses);
   collect_side_files(file);
   return file;
 }
 
-std::vector<glm::dvec4> read_gltf_vectors(const GltfFile& file, int accessor, const std::string& what) {
-  const Elements elements = elements_of(file, accessor, what);
-  std::vector<glm::dvec4> vectors(elements.count, glm::dvec4(0.0));
-  for (size_t i = 0; i < elements.count; ++i) {
-    const unsigned char* element = elements.first + i * elements.stride;
-    for (int c = 0; c < elements.components; ++c) vectors[i][c] = component_at(elements, element, c);
-  }
-  return vectors;
-}
-
-std::vector<uint32_t> read_gltf_indices(const GltfFile& file, int accessor) {
-  const Elements elements = elements_of(file, accessor, "indices");
-  const bool is_whole = elements.component_type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
-                        elements.component_type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ||
-                        elements.component_type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
-  if (!is_whole || elements.components != 1)
-    fail(file.path, fmt::format("accessor {} holds no indices", accessor));
-  std::vector<uint32_t> indices(elements.count);
-  for (size_t i = 0; i < elements.count; ++i)
-    indices[i] = static_cast<uint32_t>(component_at(elements, elements.first + i * elements.stride, 0));
-  return indices;
+std::vector<std::string> gltf_animation_names(const GltfFile& file) {
+  std::vector<std::string> names;
+  for (const tinygltf::Animation& animation : file.model->animations)
+    names.push_back(animation.name.empty() ? fmt::format("animation {}", names.size() + 1) : animation.name);
+  return names;
 }
 
 std::string gltf_node_name(const GltfFile& file, int node) {

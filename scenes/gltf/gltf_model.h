@@ -2,13 +2,13 @@
 #pragma once
 // glTF 2.0 files (.gltf, .glb) through tinygltf, checked before anything trusts them.
 
-#include <glm/mat4x4.hpp>
-#include <glm/vec3.hpp>
-#include <glm/vec4.hpp>
+#include "scenes/animation_time.h"
 
-#include <cstdint>
+#include <glm/mat4x4.hpp>
+
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +24,7 @@ namespace umbrameter {
 struct GltfNode {
   int node = 0;  // in the model
   glm::dmat4 world_from_node{1.0};
+  bool is_moved = false;  // by the animation: itself, or a parent of it
 };
 
 struct GltfFile {
@@ -31,19 +32,22 @@ struct GltfFile {
   std::shared_ptr<const tinygltf::Model> model;
   std::vector<GltfNode> nodes;                    // parents first
   std::vector<std::filesystem::path> side_files;  // buffers and pictures beside it
+  std::string animation;  // name of what is shown; empty: nodes stand as the file has them
+  std::vector<std::vector<double>> morph_weights;  // by node of the model; empty: none
+  std::string animation_problem;                   // why its animations are no use; empty: they are
+  std::vector<std::string> warnings;               // of animations
 };
 
 /// True for names that end in .gltf or .glb.
 bool is_gltf(const std::string& name);
 
 /// Error{input} for files that are cut off or no glTF, missing buffers, extensions that the geometry needs and we do not
-/// read, nodes in a circle or with two parents, and transforms that are not finite.
-GltfFile open_gltf(const std::filesystem::path& path);
+/// read, nodes in a circle or with two parents, transforms that are not finite, and as pose_gltf(). With `at` nodes stand where
+/// the animation has them then; without, animations are counted in the warnings.
+GltfFile open_gltf(const std::filesystem::path& path, const std::optional<AnimationTime>& at = {});
 
-/// One element per index, each of up to four components as doubles; integers that are `normalized` become fractions.
-/// Error{input} for an accessor that reaches out of its buffer or is sparse.
-std::vector<glm::dvec4> read_gltf_vectors(const GltfFile& file, int accessor, const std::string& what);
-std::vector<uint32_t> read_gltf_indices(const GltfFile& file, int accessor);
+/// A name for each animation: its own, or "animation 2".
+std::vector<std::string> gltf_animation_names(const GltfFile& file);
 
 /// "node 'Lamp'" or "node 7".
 std::string gltf_node_name(const GltfFile& file, int node);

@@ -274,4 +274,5 @@ def main():
     bpy.ops.wm.save_as_mainfile(filepath=file)
 
 
-main()
+if __name__ == "__main__":
+    main()

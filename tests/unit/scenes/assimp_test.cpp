@@ -29,7 +29,7 @@ class Assimp : public testing::Test {
  protected:
   MeshData load(const std::string& name, const std::string& text, const MeshFilter& filter = {}) {
     write_file_atomically(folder_.path() / name, text);
-    return load_assimp_mesh(folder_.path() / name, filter, warnings_);
+    return load_assimp_mesh(folder_.path() / name, filter, {}, warnings_);
   }
 
   TemporaryFolder folder_;

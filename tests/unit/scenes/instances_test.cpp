@@ -141,8 +141,40 @@ TEST(Instances, RuleByCopiedTrianglesAndFlatPlaces) {
   EXPECT_TRUE(is_kept_once(kLeastCopiedTriangles, two));
   EXPECT_FALSE(is_kept_once(10 * kLeastCopiedTriangles, std::span(two).first(1)));
   EXPECT_TRUE(is_kept_once(kLeastCopiedTriangles / 10, eleven));
-  const std::vector<glm::dmat4> flat{at(0), glm::scale(at(0), glm::dvec3(1, 0, 1))};
-  EXPECT_FALSE(is_kept_once(kLeastCopiedTriangles, flat));
+  const glm::dmat4 squashed = glm::scale(at(0), glm::dvec3(1, 0, 1));
+  EXPECT_FALSE(is_kept_once(kLeastCopiedTriangles, std::vector{at(0), squashed}));
+  EXPECT_TRUE(is_kept_once(kLeastCopiedTriangles, std::vector{at(0), squashed, at(2)})) << "the others count";
+}
+
+TEST(Instances, OneFlatPlaceHasACopyAndTheOthersStay) {
+  MeshData leafy = make_box({1, 2, 3});
+  leafy.parts = {{"walls", 0, 12}};
+  leafy.cutout_of_triangle.assign(12, kSolid);
+  leafy.cutout_of_triangle[5] = 0;
+  leafy.cutouts = {{{glm::vec2(0, 0), glm::vec2(1, 0), glm::vec2(0, 1)}, 0}};
+  leafy.masks = {AlphaMask{"m", 1, 1, {1}}};
+  const glm::dmat4 flat = glm::scale(at(5), glm::dvec3(-1, 1, 0));
+  for (const bool is_smooth : {false, true}) {
+    if (is_smooth) split_flat(leafy);
+    const Scene scene = boxes_at({at(0), flat, at(9)}, leafy);
+    ASSERT_EQ(scene.instanced.size(), 1u);
+    EXPECT_EQ(scene.instanced[0]->world_from_mesh.size(), 2u);
+    EXPECT_EQ(scene.triangles.size(), 2u) << "front and back of the box are one and the same now";
+    EXPECT_EQ(scene.normals_world.empty(), !is_smooth);
+    EXPECT_EQ(scene.bounds_world.max.x, 9.5);
+    for (const glm::vec3& p : scene.positions_world) EXPECT_EQ(p.z, 0.0f);
+    for (uint32_t v = 0; v < scene.normals_world.size(); ++v)
+      EXPECT_NEAR(std::abs(scene.normals_world[v].z), 1.0f, 1e-6f);
+  }
+}
+
+TEST(Instances, HolesOfAMeshAndItsMirrorImageAreSaidOnce) {
+  MeshData ball = make_sphere(0.5, 24, false);
+  ball.triangles.pop_back();
+  Scene scene = boxes_at({at(0), at(2), glm::scale(at(4), glm::dvec3(-1, 1, 1))}, ball);
+  scene.camera = {.eye_world = {0, 0, 9}, .at_world = {0, 0, 0}, .near_world = 1e-3};
+  ASSERT_EQ(scene.instanced.size(), 2u);
+  EXPECT_THAT(check_scene(scene), ElementsAre(HasSubstr("'box' is not closed: 3 of")));
 }
 
 TEST(Instances, AreNumberedAsFarAsAFloatTells) {

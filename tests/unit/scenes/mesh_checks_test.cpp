@@ -80,6 +80,13 @@ TEST_F(MeshChecks, MeshThatLosesEverythingIsAnError) {
                            "x.toml:4:1: mesh 'm' is empty: 2 triangles of zero area had to be dropped"));
 }
 
+TEST_F(MeshChecks, MeshThatStandsWhereAnotherDoesIsDroppedWithAWarning) {
+  const Scene scene = load(kSquare + "f 1 2 3 4\n", "\n[[mesh]]\nname = \"again\"\nfile = \"m.obj\"");
+  EXPECT_EQ(scene.triangles.size(), 2u);
+  EXPECT_THAT(scene.warnings, testing::Contains("m.obj: dropped 2 duplicates; nothing of it is left"));
+  EXPECT_EQ(scene.parts.size(), 1u);
+}
+
 TEST_F(MeshChecks, FlatMeshBesideASmoothOneGetsItsGeometricNormals) {
   const Scene scene =
       load(kSquare + "f 1 2 3 4\n", "\n[[mesh]]\nshape = \"sphere\"\nradius = 1\nsmooth = true");

@@ -45,7 +45,7 @@ TEST_F(ViewFiles, SavedSceneIsTheSceneWithItsCameraToTheLastBit) {
     Camera camera = scene.camera;
     camera.eye_world = {1.0 / 3.0, 2.1, -0.7};
     write_file_atomically(place("saved.toml"),
-                          scene_toml(library(name), place("saved.toml"), camera, scene.light()));
+                          scene_toml(scene, {}, place("saved.toml"), camera, scene.light()));
     const Scene saved = load(place("saved.toml"));
     expect_equal(saved.camera, camera);
     EXPECT_EQ(saved.triangles.size(), scene.triangles.size());
@@ -70,9 +70,8 @@ TEST_F(ViewFiles, SavedSceneFindsMeshesThatLayBesideItsOwn) {
       "direction = [0, -1, 0]\n");
   const Scene scene = load(place("own.toml"));
   create_folder(place("elsewhere"));
-  write_file_atomically(
-      place("elsewhere/saved.toml"),
-      scene_toml(place("own.toml"), place("elsewhere/saved.toml"), scene.camera, scene.light()));
+  write_file_atomically(place("elsewhere/saved.toml"),
+                        scene_toml(scene, {}, place("elsewhere/saved.toml"), scene.camera, scene.light()));
   EXPECT_EQ(load(place("elsewhere/saved.toml")).triangles.size(), 1u);
 }
 
@@ -84,7 +83,7 @@ TEST_F(ViewFiles, SceneInOneLineIsRefusedInsteadOfLosingItsCamera) {
       "direction = [0, -1, 0]\n");
   const Scene scene = load(place("own.toml"));
   try {
-    scene_toml(place("own.toml"), place("saved.toml"), scene.camera, scene.light());
+    scene_toml(scene, {}, place("saved.toml"), scene.camera, scene.light());
     FAIL() << "saved";
   } catch (const Error& error) {
     EXPECT_THAT(error.what(), HasSubstr("[camera] is not a table of its own"));
