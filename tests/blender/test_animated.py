@@ -11,7 +11,7 @@ import tempfile
 import unittest
 
 SOURCE, PROGRAM = pathlib.Path(sys.argv[1]), sys.argv[2]
-CLOSE = 2e-4  # metres: Blender's FBX and glTF keys are floats, and FBX's rotations are in degrees with six digits
+CLOSE = 1e-5  # metres: keys are floats, and those of rotations in FBX degrees
 
 
 def umbrameter(*arguments):

@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-namespace umbrameter {
+namespace umbrameter::test {
 namespace {
 
 constexpr int kWidth_px = 96, kHeight_px = 64;
@@ -63,4 +63,4 @@ TEST(animation, is_the_same_surfaces_in_both_renderers_at_every_moment) {
 }
 
 }  // namespace
-}  // namespace umbrameter
+}  // namespace umbrameter::test
