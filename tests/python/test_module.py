@@ -5,11 +5,13 @@ program, copy what it need not, hide an error's sentence, hold Python's lock, or
 
 test_module.py UMBRAMETER: the program to compare with; PYTHONPATH names the module's folder."""
 import ast
+import base64
 import json
 import os
 import pathlib
 import re
 import signal
+import struct
 import subprocess
 import sys
 import tempfile
@@ -113,6 +115,31 @@ class Module(unittest.TestCase):
             self.assertEqual(len(hashes), 2)
             with self.assertRaisesRegex(um.InputError, "left"):
                 um.load_scene(file, light="lef")
+
+    def test_scenes_are_shown_at_a_moment(self):
+        times, places = struct.pack("<2f", 0, 1), struct.pack("<6f", 0, 0, 0, 4, 0, 0)
+        data = struct.pack("<9f", 0, 0, 0, 1, 0, 0, 0, 1, 0) + times + places
+        views = [(0, 36, "VEC3", 3), (36, 8, "SCALAR", 2), (44, 24, "VEC3", 2)]
+        gltf = {"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+                "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+                "animations": [{"name": "go", "channels": [{"sampler": 0, "target": {"node": 0, "path": "translation"}}],
+                                "samplers": [{"input": 1, "output": 2}]}],
+                "accessors": [{"bufferView": i, "componentType": 5126, "count": count, "type": kind}
+                              for i, (_, _, kind, count) in enumerate(views)],
+                "bufferViews": [{"buffer": 0, "byteOffset": start, "byteLength": length} for start, length, _, _ in views],
+                "buffers": [{"byteLength": len(data),
+                             "uri": "data:application/octet-stream;base64," + base64.b64encode(data).decode()}]}
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "go.gltf"
+            file.write_text(json.dumps(gltf))
+            scene = um.load_scene(file, time_s=0.25)
+            self.assertEqual(scene.positions_world[:, 0].min(), 1.0)
+            self.assertEqual(scene.animated, [{"mesh": "go", "file": "go.gltf", "animation": "go", "time_s": 0.25}])
+            self.assertEqual(um.load_scene(file).animated, [])
+            with self.assertRaisesRegex(um.InputError, "no animation is called 'stop'"):
+                um.load_scene(file, time_s=0.25, animation="stop")
+            with self.assertRaisesRegex(um.InputError, "'animation' goes with 'time_s'"):
+                um.load_scene(file, animation="go")
 
     def test_errors_say_the_program_s_sentence(self):
         for call, arguments in (

@@ -3,6 +3,7 @@
 
 #include "core/files.h"
 #include "scenes/load_scene.h"
+#include "tests/support/glb_file.h"
 #include "tests/support/source_dir.h"
 #include "tests/support/temporary_folder.h"
 #include "view/camera_path.h"
@@ -73,6 +74,30 @@ TEST_F(ViewFiles, SavedSceneFindsMeshesThatLayBesideItsOwn) {
   write_file_atomically(place("elsewhere/saved.toml"),
                         scene_toml(scene, {}, place("elsewhere/saved.toml"), scene.camera, scene.light()));
   EXPECT_EQ(load(place("elsewhere/saved.toml")).triangles.size(), 1u);
+}
+
+TEST_F(ViewFiles, SavedSceneShowsTheMomentThatWasChosen) {
+  GlbFile file;
+  file.add_square_mesh();
+  file.json["nodes"] = nlohmann::json::parse(R"([{"mesh": 0}])");
+  file.animate(0, "translation", {0, 1}, {0, 0, 0, 4, 0, 0}, "VEC3", "LINEAR", 0, "go");
+  write_file_atomically(place("x.glb"), file.glb());
+  write_file_atomically(
+      place("own.toml"),
+      "[camera]\neye = [0, 3, 3]\nat = [0, 0, 0]\n[[mesh]]\nshape = \"plane\"\nsize = [4, 4]\n[[mesh]]\n"
+      "time = 0.75\nfile = \"x.glb\"\n[[light]]\ntype = \"sphere\"\ncenter = [0, 2, 0]\nradius = 0.1\n"
+      "direction = [0, -1, 0]\n");
+  for (const char* name : {"own.toml", "x.glb"}) {
+    SceneSearch search;
+    search.at = AnimationTime{0.25, "go"};
+    const Scene scene = load_scene(place(name), search);
+    write_file_atomically(place("saved.toml"),
+                          scene_toml(scene, search.at, place("saved.toml"), scene.camera, scene.light()));
+    const Scene saved = load(place("saved.toml"));
+    ASSERT_EQ(saved.animated.size(), 1u) << name;
+    EXPECT_EQ(saved.animated[0].time_s, 0.25) << name;
+    EXPECT_EQ(saved.hash, scene.hash) << name;
+  }
 }
 
 TEST_F(ViewFiles, SceneInOneLineIsRefusedInsteadOfLosingItsCamera) {
