@@ -38,7 +38,7 @@ std::optional<RunRecord> find_run(BenchMemory& memory, const std::string& key) {
 }
 
 /// What a record lacks.
-OrderedJson entry_json(const BenchEntry& entry) {
+OrderedJson times_json_of(const BenchEntry& entry) {
   return {{"picture_hash", entry.picture_hash},
           {"is_software", entry.is_software},
           {"passes", entry.times.passes},
@@ -122,7 +122,7 @@ void remember_scene(BenchMemory& memory, const BenchPlan& plan, std::span<KeptRu
   OrderedJson entries = OrderedJson::array();
   for (size_t i = 0; i < runs.size(); ++i) {
     KeptRun& run = runs[i];
-    entries.push_back(entry_json(scene.entries[i]));
+    entries.push_back(times_json_of(scene.entries[i]));
     if (run.is_known) continue;
     run.record.result.failure = scene.entries[i].failure;
     if (!run.record.parity) run.record.parity = scene.parity;
