@@ -161,7 +161,7 @@ void add_tune(CLI::App& app, CommandLine& line) {
   verb->add_option("--time-limit", options->time_limit, "for the whole search, such as 60s")
       ->capture_default_str();
   verb->add_option("--evaluations", options->evaluations,
-                   "most parameter sets to try; default 40 + 10 a parameter that acts");
+                   "most parameter sets to try; default 25 + 5 a parameter that acts");
   verb->add_option("--cameras", options->cameras,
                    "5: tune on four cameras beside the scene's, too; 1: on that alone")
       ->check(CLI::IsMember({1, 5}))

@@ -22,6 +22,7 @@ constexpr int kTrendPx = 40;  // neighbours along the contour: five cells of pro
 constexpr size_t kFewestNeighbours = 4;
 constexpr double kStairPx = 2.0;  // smaller texels' stairs drown in the pixels' own
 constexpr size_t kFewestRampPx = 8;
+constexpr double kMostNoiseError = 0.005;  // of the truth's own; four such medians in a comparison: .01
 const double kSigmaPerResidual = std::sqrt(9.0 / 8.0);  // the mean of nine holds a ninth of the pixel itself
 
 struct Pair {
@@ -151,6 +152,20 @@ void add_residual(const Pair& pair, size_t i, Residuals& out) {
   out.reference.push_back(std::abs(pair.r[i] - r / 9.0));
 }
 
+// Standard error of the median, without a distribution: the count below it is binomial, n / 2 +- sqrt(n) / 2. Infinite for
+// nothing.
+double error_of_median(std::vector<double> values) {
+  if (values.empty()) return HUGE_VAL;
+  const auto n = static_cast<double>(values.size());
+  const auto at = [&](double rank) {
+    const auto index = static_cast<size_t>(std::clamp(rank, 0.0, n - 1.0));
+    std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(index));
+    return values[index];
+  };
+  const double above = at(0.5 * (n + std::sqrt(n)));
+  return 0.5 * (above - at(0.5 * (n - std::sqrt(n))));
+}
+
 void add_noise(const Pair& pair, ErrorCauses& out) {
   const TileGrid grid = {pair.surface.width, pair.surface.height, kCauseTilePx};
   const auto tiles = for_each_tile<Residuals>(grid, [&](Tile tile, Residuals& residuals) {
@@ -166,6 +181,7 @@ void add_noise(const Pair& pair, ErrorCauses& out) {
     all.reference.insert(all.reference.end(), tile.reference.begin(), tile.reference.end());
   }
   const double scale = kSigmaPerMedian * kSigmaPerResidual;
+  if (!(scale * error_of_median(all.reference) <= kMostNoiseError)) return;
   if (const auto median = median_if_any(std::move(all.test))) out.noise = scale * *median;
   if (const auto median = median_if_any(std::move(all.reference))) out.reference_noise = scale * *median;
 }

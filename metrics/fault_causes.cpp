@@ -41,11 +41,17 @@ bool is_of(RunPart part, const SubstitutionOutcome* outcome) {
   return substitution != nullptr && substitution->part == part;
 }
 
-/// A filter's width follows from the blockers' distance: where that mends as much, the width was wrong because of it.
+/// Where `reason` mends as much as `effect`, the effect was wrong because of it.
+void leave_out(RunPart effect, RunPart reason, std::vector<const SubstitutionOutcome*>& alike) {
+  const auto is_reason = [&](const auto* outcome) { return is_of(reason, outcome); };
+  if (std::ranges::none_of(alike, is_reason)) return;
+  std::erase_if(alike, [&](const auto* outcome) { return is_of(effect, outcome); });
+}
+
+/// A filter's width follows from the blockers' distance, and that from the map it is read from.
 void leave_out_what_follows(std::vector<const SubstitutionOutcome*>& alike) {
-  const auto is_distance = [](const auto* outcome) { return is_of(RunPart::blocker_distance, outcome); };
-  if (std::ranges::none_of(alike, is_distance)) return;
-  std::erase_if(alike, [](const auto* outcome) { return is_of(RunPart::filter_size, outcome); });
+  leave_out(RunPart::filter_size, RunPart::blocker_distance, alike);
+  leave_out(RunPart::blocker_distance, RunPart::map_size, alike);
 }
 
 const SubstitutionOutcome* best_of(std::vector<const SubstitutionOutcome*> outcomes, size_t index) {
@@ -94,14 +100,20 @@ void measure_substitution(const Image& substituted, const Image& test, const Ima
 }
 
 const SubstitutionOutcome* best_substitution(const FaultCauses& causes, size_t index) {
-  std::vector<const SubstitutionOutcome*> simple, all;
+  std::vector<const SubstitutionOutcome*> sparing, simple, all;
   for (const SubstitutionOutcome& outcome : causes.outcomes) {
     if (outcome.not_tried) continue;
     all.push_back(&outcome);
-    if (!replaces_much(outcome.id)) simple.push_back(&outcome);
+    if (replaces_much(outcome.id)) continue;
+    simple.push_back(&outcome);
+    const double mended = outcome.removed[index] * causes.faults[index].mean_abs_error;
+    if (outcome.elsewhere <= mended) sparing.push_back(&outcome);
   }
-  const SubstitutionOutcome* best = best_of(simple, index);
-  return best != nullptr && best->removed[index] >= kMends ? best : best_of(all, index);
+  for (const auto& some : {sparing, simple}) {
+    const SubstitutionOutcome* best = best_of(some, index);
+    if (best != nullptr && best->removed[index] >= kMends) return best;
+  }
+  return best_of(all, index);
 }
 
 const SubstitutionOutcome* cause_of(const FaultCauses& causes, size_t index) {

@@ -51,8 +51,8 @@ void measure_substitution(const Image& substituted, const Image& test, const Ima
                           std::span<const FaultClass> classes, std::span<const CausedFault> faults,
                           SubstitutionOutcome& outcome);
 
-/// What removes most of fault `index`: of those within .05 of the most, the one that harms least elsewhere. One that replaces
-/// several things (Substitution::replaces_much) only where none of the others mends it. Null when nothing was tried.
+/// What removes most of fault `index`, of those within .05 the one that harms least elsewhere. Only where none mends it: what adds
+/// more elsewhere than it mends, then what replaces several things (Substitution::replaces_much). Null when nothing was tried.
 const SubstitutionOutcome* best_substitution(const FaultCauses& causes, size_t index);
 
 /// The same where it mends the fault; null otherwise.

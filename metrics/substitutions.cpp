@@ -9,8 +9,9 @@ namespace {
 
 using enum RunPart;
 
-constexpr std::array<Substitution, 11> kSubstitutions = {{
+constexpr std::array<Substitution, 13> kSubstitutions = {{
     {"bias_zero", bias, 0.0, "bias 0", "the bias is too large", 1.0},
+    {"bias_tenth", bias, 0.1, "a tenth of the bias", "the bias is too large", 1.0},
     {"bias_tenfold", bias, 10.0, "ten times the bias", "the bias is too small", 1.0},
     {"filter_quarter", filter_size, 0.25, "a filter a quarter as wide", "the filter is too wide", 1.0},
     {"filter_half", filter_size, 0.5, "a filter half as wide", "the filter is too wide", 1.0},
@@ -18,6 +19,8 @@ constexpr std::array<Substitution, 11> kSubstitutions = {{
     {"filter_fourfold", filter_size, 4.0, "a filter four times as wide", "the filter is too narrow", 4.0},
     {"taps_fourfold", taps, 4.0, "a fourfold number of taps", "the taps are too few", 4.0},
     {"map_fourfold", map_size, 4.0, "a map four times as large", "the map's texels are too coarse", 8.0},
+    {"map_sixteenfold", map_size, 16.0, "a map sixteen times as large", "the map's texels are too coarse",
+     8.0},
     {"fit_scene", map_fit, 1.0, "a map of the whole scene", "the map's fit leaves casters or receivers out",
      2.0},
     {"blocker_truth", blocker_distance, 1.0, "the truth's blocker distance",

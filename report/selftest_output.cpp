@@ -122,8 +122,11 @@ std::string benign_matrix(const SelftestResults& results, const SelftestRound& r
 std::string left_out_lines(const SelftestResults& results) {
   std::string text;
   for (const LeftOut& out : results.left_out) {
-    text += fmt::format("left out: {} of {} ({}): the map does not resolve {:.0f} % of the true edges\n",
-                        out.name, out.scene, text_of(out.round), 100.0 * out.coarse_edges);
+    text += fmt::format(
+        "left out: {} of {} ({}): the map does not resolve {:.0f} % of the true edges, {:.0f} % of the "
+        "shade\n",
+        out.name, out.scene, text_of(out.round), 100.0 * out.unresolved.edges.value_or(0.0),
+        100.0 * out.unresolved.shade);
   }
   return text.empty() ? text : text + "\n";
 }
@@ -187,7 +190,10 @@ OrderedJson tried_json(const CauseOutcome& outcome) {
   OrderedJson tried = OrderedJson::array();
   for (const SubstitutionOutcome& one : outcome.tried) {
     if (one.not_tried) continue;
-    tried.push_back({{"id", one.id}, {"removed", one.removed.front()}, {"elsewhere", one.elsewhere}});
+    tried.push_back({{"id", one.id},
+                     {"changes", one.changes},
+                     {"removed", one.removed.front()},
+                     {"elsewhere", one.elsewhere}});
   }
   return tried;
 }
@@ -247,7 +253,8 @@ std::string selftest_json(const SelftestResults& results) {
     left_out.push_back({{"variant", out.name},
                         {"scene", out.scene},
                         {"round", round_json(out.round)},
-                        {"coarse_edges", out.coarse_edges}});
+                        {"coarse_edges", optional_json(out.unresolved.edges)},
+                        {"narrow_shade", out.unresolved.shade}});
   }
   for (const MaskOutcome& mask : results.masks) {
     masks.push_back({{"painted", mask.name},
@@ -265,6 +272,7 @@ std::string selftest_json(const SelftestResults& results) {
                       {"class", outcome.fault ? OrderedJson(name_of(*outcome.fault)) : OrderedJson(nullptr)},
                       {"best", outcome.best},
                       {"removed", outcome.removed},
+                      {"undone", outcome.undone},
                       {"tried", tried_json(outcome)},
                       {"right", outcome.is_right()}});
   }

@@ -132,14 +132,29 @@ double excess(const GateMeasure& m) {
   return m.value.value_or(0.0) - m.baseline.value_or(0.0);
 }
 
-// Whether the map's texels are larger than the baseline's; absent where either is unknown. Edges that no coarser a map draws
-// worse are no fault of its resolution; a coarser one's texels make acne and detach shadows, too.
-std::optional<bool> is_coarser(const GateRun& run, const GateRun* baseline) {
+// By how much the map's texels are larger than the baseline's; absent where either is unknown.
+std::optional<double> texel_ratio(const GateRun& run, const GateRun* baseline) {
   const auto footprint = [](const GateRun& r) {
     return r.diagnosis ? r.diagnosis->causes.median_footprint_px : std::nullopt;
   };
   if (baseline == nullptr || !footprint(run) || !footprint(*baseline)) return std::nullopt;
-  return *footprint(run) > kCoarser * *footprint(*baseline);
+  return *footprint(run) / *footprint(*baseline);
+}
+
+// Edges that no coarser a map draws worse are no fault of its resolution; a coarser one's texels make acne and detach shadows, too.
+std::optional<bool> is_coarser(const GateRun& run, const GateRun* baseline) {
+  const auto ratio = texel_ratio(run, baseline);
+  return ratio ? std::optional(*ratio > kCoarser) : std::nullopt;
+}
+
+// An edge of the map lies up to half a texel beside the true one: what errs at edges, named or not, grows with the texel. As far
+// as a map is no coarser one, but laid otherwise over the scene.
+double from_texels(const GateRun& run, const GateRun* baseline) {
+  const auto ratio = texel_ratio(run, baseline);
+  if (!ratio) return 0.0;
+  const double errs = *penumbra_share(*baseline) + *fault_share(*baseline, FaultClass::explained) +
+                      *fault_share(*baseline, FaultClass::resolution);
+  return (std::clamp(*ratio, 1.0, kCoarser) - 1.0) * errs;
 }
 
 template <class Key>
@@ -258,16 +273,17 @@ GateVerdict judge_gate(const GateRun& run, const GateRun* baseline, bool worse, 
     verdict.measures.back().allowed += more;
   };
   const double moved = baseline != nullptr ? moved_from_resolution(run, *baseline) : 0.0;
+  const double of_texels = from_texels(run, baseline);
   for (const auto& [fault, kind] : kFaults) {
     const bool is_resolution = kind == GateClass::resolution;
     add(
         kind, [fault = fault](const GateRun& r) { return fault_share(r, fault); },
-        is_resolution ? limits.resolution : limits.fault, is_resolution ? 0.0 : moved);
+        is_resolution ? limits.resolution : limits.fault, is_resolution ? of_texels : moved);
   }
   // The envelope's edge takes a shape whole or leaves it: what was explained before is no new error of penumbrae.
   const double named =
       baseline != nullptr ? std::max(moved, shrunk(run, *baseline, FaultClass::explained)) : 0.0;
-  add(GateClass::softness, penumbra_share, limits.fault, named);
+  add(GateClass::softness, penumbra_share, limits.fault, named + of_texels);
   add(GateClass::softness, width, limits.softness, doubt(run, baseline, &PenumbraNumbers::width_octaves));
   add(GateClass::hardening, hardening, limits.hardening, hardening_doubt(run, baseline));
   add(GateClass::offset, offset, limits.offset, doubt(run, baseline, &PenumbraNumbers::offset_widths));

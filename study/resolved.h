@@ -16,7 +16,17 @@ namespace umbrameter {
 std::optional<double> share_of_coarse_edges(const Image& picture, const Image& truth,
                                             std::span<const uint8_t> mask);
 
-/// At most half of them are coarse.
-bool is_resolved(const std::optional<double>& coarse_edges);
+/// Share of the truth's shade (of 1 - R) that lies in shadows narrower than two texels of `picture`, 8-connected shapes of
+/// R < .5: such a shadow is a texel wide or two by chance. 0 without texels.
+double share_of_narrow_shade(const Image& picture, const Image& truth, std::span<const uint8_t> mask);
+
+/// What of a scene's shadows a map does not resolve; shares.
+struct Unresolved {
+  std::optional<double> edges;  // share_of_coarse_edges
+  double shade = 0.0;           // share_of_narrow_shade
+};
+
+/// At most half of the edges, and at most a tenth of the shade.
+bool is_resolved(const Unresolved& unresolved);
 
 }  // namespace umbrameter

@@ -7,7 +7,6 @@
 #include "results/guard.h"
 #include "results/measured.h"
 #include "results/metadata.h"
-#include "study/resolved.h"
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -170,10 +169,11 @@ const Examined& Stage::examined(const TechniqueChoice& choice) {
   return found->second;
 }
 
-std::optional<double> Stage::coarse_edges(const TechniqueChoice& choice) {
+Unresolved Stage::unresolved(const TechniqueChoice& choice) {
   const std::vector<uint8_t>& mask = examined(choice).mask;
-  if (mask.empty()) return std::nullopt;
-  return share_of_coarse_edges(picture(choice), truth(), mask);
+  if (mask.empty()) return {};
+  return {share_of_coarse_edges(picture(choice), truth(), mask),
+          share_of_narrow_shade(picture(choice), truth(), mask)};
 }
 
 Image Stage::picture_of_shadows(const TechniqueChoice& choice, const Scene& changed) {

@@ -5,6 +5,7 @@
 #include "lab/validation.h"
 #include "study/gate.h"
 #include "study/metric_probe.h"
+#include "study/resolved.h"
 
 #include <functional>
 #include <map>
@@ -97,8 +98,8 @@ class Stage {
   const Image& picture(const TechniqueChoice& choice);
   const Examined& examined(const TechniqueChoice& choice);
   Image picture(const TechniqueChoice& choice, uint64_t seed);
-  /// Of the map that `choice` draws (study/resolved.h).
-  std::optional<double> coarse_edges(const TechniqueChoice& choice);
+  /// By the map that `choice` draws.
+  Unresolved unresolved(const TechniqueChoice& choice);
   /// The shadows that `choice` draws of a changed scene, on the surfaces of this one.
   Image picture_of_shadows(const TechniqueChoice& choice, const Scene& changed);
   /// The same on the surfaces of another picture of this scene; `blocker_truth` as RenderRequest's.

@@ -102,10 +102,19 @@ double affordable(const SubstitutedRun& run, double factor) {
   return factor;
 }
 
-/// Lengths in texels stay as long in the world.
+/// The next smaller factor that maps grow by; 1 for the smallest.
+double tried_before(double factor) {
+  double before = 1.0;
+  for (const Substitution& other : substitutions()) {
+    if (other.part == map_size && other.factor < factor) before = std::max(before, other.factor);
+  }
+  return before;
+}
+
+/// Lengths in texels stay as long in the world. Not where that is no larger than the map of a smaller substitution.
 bool grow_map(const SubstitutedRun& run, double wanted, Replacement& out) {
   const double factor = affordable(run, wanted);
-  if (factor <= 1.0 || !scale_numbers(run, factor, is_size_of_map, out)) return false;
+  if (factor <= tried_before(wanted) || !scale_numbers(run, factor, is_size_of_map, out)) return false;
   keep_lengths(run, factor, out);
   return true;
 }

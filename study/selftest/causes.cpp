@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace umbrameter {
 namespace {
@@ -62,8 +63,21 @@ bool CauseOutcome::is_right() const {
   return cause && std::ranges::find(right, *cause) != right.end();
 }
 
+std::vector<FaultClass> put_in(std::vector<FaultClass> classes, FaultClass fault, const Image& wrong,
+                               const Image& sound, const Image& truth) {
+  const FaultClass other = fault == FaultClass::explained ? FaultClass::penumbra : FaultClass::explained;
+  const auto v = wrong.plane("visibility"), s = sound.plane("visibility"), r = truth.plane("visibility");
+  for (size_t i = 0; i < classes.size(); ++i) {
+    if (classes[i] == fault && !(std::abs(v[i] - r[i]) > 2.0f * std::abs(s[i] - r[i]))) classes[i] = other;
+  }
+  return classes;
+}
+
 CauseOutcome try_cause(const CauseCase& fault, Stage& stage) {
-  CauseOutcome out{fault.name, fault.scene, fault.right, {}, {}, {}, 0.0, {}};
+  CauseOutcome out;
+  out.name = fault.name;
+  out.scene = fault.scene;
+  out.right = fault.right;
   WrongRun wrong = wrong_run(fault, stage);
   const Light light = wrong.scene.light();
   const Replacement nothing{wrong.run.parameters, {light}, false, false, {}};
@@ -80,8 +94,14 @@ CauseOutcome try_cause(const CauseCase& fault, Stage& stage) {
   const std::vector<FaultClass> faults = {*out.fault};
   const SubstitutedRun run{wrong.run.declared, wrong.run.parameters, light,
                            wrong.scene.bounds_world.diagonal(), 0};
-  const FaultCauses causes =
-      find_causes(run, {picture, stage.truth(), examined.fault_classes}, faults, draw_wrong);
+  const Image& sound_picture = stage.picture(fault.sound);
+  const std::vector<FaultClass> classes =
+      put_in(examined.fault_classes, *out.fault, picture, sound_picture, stage.truth());
+  const FaultCauses causes = find_causes(run, {picture, stage.truth(), classes}, faults, draw_wrong);
+  if (causes.faults.empty()) return out;
+  SubstitutionOutcome undone;
+  measure_substitution(sound_picture, picture, stage.truth(), classes, causes.faults, undone);
+  out.undone = undone.removed.front();
   if (const SubstitutionOutcome* best = best_substitution(causes, 0)) {
     out.best = best->id;
     out.removed = best->removed[0];

@@ -32,9 +32,15 @@ struct CauseOutcome {
   std::vector<SubstitutionOutcome> tried;  // with one number each: of `fault`
   std::string best;                        // substitution that removes most of it; empty without any
   double removed = 0.0;                    // by that
-  std::optional<RunPart> cause;            // what it replaced, where it mends the fault
+  double undone = 0.0;           // by the sound run itself: no substitution of the right part can do more
+  std::optional<RunPart> cause;  // what it replaced, where it mends the fault
   bool is_right() const;
 };
+
+/// `classes` [height][width] of the wrong run, with `fault` only where more than half of its error was put in: what the sound run
+/// has wrong as well is its own, and other things mend it.
+std::vector<FaultClass> put_in(std::vector<FaultClass> classes, FaultClass fault, const Image& wrong,
+                               const Image& sound, const Image& truth);
 
 CauseOutcome try_cause(const CauseCase& fault, Stage& stage);
 

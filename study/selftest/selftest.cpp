@@ -4,7 +4,6 @@
 #include "metrics/judgement.h"
 #include "results/metadata.h"
 #include "results/pictures.h"
-#include "study/resolved.h"
 
 #include <fmt/format.h>
 
@@ -119,9 +118,9 @@ void try_causes(std::span<const CauseCase> faults, Stage& stage, std::vector<Cau
 
 void try_benign(std::span<const BenignVariant> variants, Stage& stage, SelftestResults& results) {
   for (const BenignVariant& variant : variants) {
-    const auto coarse = variant.moves_texels ? stage.coarse_edges(soft_shadows()) : std::nullopt;
-    if (!is_resolved(coarse)) {
-      results.left_out.push_back({variant.name, stage.name(), stage.round(), *coarse});
+    const Unresolved unresolved = variant.moves_texels ? stage.unresolved(soft_shadows()) : Unresolved{};
+    if (!is_resolved(unresolved)) {
+      results.left_out.push_back({variant.name, stage.name(), stage.round(), unresolved});
       continue;
     }
     results.benign.push_back({variant.name, stage.name(), stage.round(),

@@ -30,11 +30,11 @@ struct BenignOutcome {
   GateVerdict verdict;
 };
 
-/// A benign variant that was not asked about, as it moves texels that are too coarse for the scene's edges.
+/// A benign variant that was not asked about, as it moves texels that are too coarse for the scene's shadows.
 struct LeftOut {
   std::string name, scene;
   SelftestRound round;
-  double coarse_edges = 0.0;  // share of the true ones
+  Unresolved unresolved;
 };
 
 /// Pixels of one class against those that were painted.

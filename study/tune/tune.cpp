@@ -27,7 +27,7 @@ constexpr size_t kHeldOutPerScene = 2 * kHeldOutShares.size();
 constexpr size_t kKept = 5;  // coarse trials that are tried at full size
 
 size_t default_evaluations(size_t axes) {
-  return 40 + 10 * axes;
+  return 25 + 5 * axes;
 }
 
 class Tuning {

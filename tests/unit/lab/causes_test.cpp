@@ -106,6 +106,22 @@ TEST(Substitutions, BiasGoesToNoneAndTenTimesItself) {
   EXPECT_THAT(tenfold->changes, testing::ElementsAre("bias_texels 4 -> 32 (its largest)"));
 }
 
+TEST(Substitutions, ATenthOfTheBiasIsWithoutTheAcneOfNone) {
+  EXPECT_DOUBLE_EQ(real(*replaced("bias_tenth", {{"bias_texels", 32.0}}), "bias_texels"), 3.2);
+  EXPECT_FALSE(replaced("bias_tenth", {{"bias_texels", 0.0}}));
+}
+
+TEST(Substitutions, ASmallMapGrowsSixteenfoldAndALargeOneOnlyOnce) {
+  SubstitutedRun small = run_with({{"map_size", int64_t{128}}});
+  small.memory_bytes = 64 << 10;
+  const auto larger = replace(*find_substitution("map_sixteenfold"), small);
+  EXPECT_EQ(whole(*larger, "map_size"), 2048);
+  EXPECT_DOUBLE_EQ(real(*larger, "radius_texels"), 32.0);
+  EXPECT_EQ(whole(*replaced("map_sixteenfold", {{"map_size", int64_t{1024}}}), "map_size"), 8192);
+  // As large as the fourfold map is.
+  EXPECT_FALSE(replaced("map_sixteenfold", {{"map_size", int64_t{2048}}}));
+}
+
 TEST(Substitutions, NoBiasGrowsFromTheDefault) {
   const auto tenfold = replaced("bias_tenfold", {{"bias_texels", 0.0}});
   EXPECT_DOUBLE_EQ(real(*tenfold, "bias_texels"), 1.0);
@@ -278,10 +294,28 @@ TEST(FaultCauses, WhatReplacesMuchStandsBackWhereOneThingMends) {
 
 TEST(FaultCauses, AWidthThatFollowsFromTheBlockersIsNotToBlame) {
   const auto with_truth = [](double removed) {
-    return causes_with({{"filter_half", {}, {}, {0.95}, -0.1}, {"blocker_truth", {}, {}, {removed}, 0.1}});
+    return causes_with({{"filter_half", {}, {}, {0.95}, -0.1}, {"blocker_truth", {}, {}, {removed}, 0.01}});
   };
   EXPECT_EQ(cause_of(with_truth(0.92), 0)->id, "blocker_truth");
   EXPECT_EQ(cause_of(with_truth(0.80), 0)->id, "filter_half");
+}
+
+TEST(FaultCauses, WhatBreaksMoreThanItMendsStandsBack) {
+  const auto with_tenth = [](double removed) {
+    return causes_with({{"bias_zero", {}, {}, {0.99}, 0.2}, {"bias_tenth", {}, {}, {removed}, 0.0}});
+  };
+  EXPECT_EQ(cause_of(with_tenth(0.6), 0)->id, "bias_tenth");
+  EXPECT_EQ(cause_of(with_tenth(0.4), 0)->id, "bias_zero");  // of .028 it adds .2, but nothing else mends
+}
+
+TEST(FaultCauses, ADistanceThatFollowsFromTheMapIsNotToBlame) {
+  const auto with_map = [](double removed) {
+    return causes_with({{"filter_half", {}, {}, {0.95}, -0.1},
+                        {"map_sixteenfold", {}, {}, {removed}, 0.01},
+                        {"blocker_truth", {}, {}, {0.94}, 0.0}});
+  };
+  EXPECT_EQ(cause_of(with_map(0.92), 0)->id, "map_sixteenfold");
+  EXPECT_EQ(cause_of(with_map(0.80), 0)->id, "blocker_truth");
 }
 
 TEST(BlockerExtension, SaysHowFarBlockersAreAndNotWhetherThereAreAny) {
@@ -347,15 +381,15 @@ TEST(FindCauses, TriesWhatTheRunHasAndNotesWhatFails) {
   const FaultCauses causes = find_causes(run_with(), {kWrong, kTruth, kClasses}, kFaults, draw);
   std::vector<std::string> ids;
   for (const SubstitutionOutcome& outcome : causes.outcomes) ids.push_back(outcome.id);
-  EXPECT_THAT(ids, testing::ElementsAre("bias_zero", "bias_tenfold", "filter_quarter", "filter_half",
-                                        "filter_double", "filter_fourfold", "taps_fourfold", "map_fourfold",
-                                        "fit_scene", "light_points"));
+  EXPECT_THAT(ids, testing::ElementsAre("bias_zero", "bias_tenth", "bias_tenfold", "filter_quarter",
+                                        "filter_half", "filter_double", "filter_fourfold", "taps_fourfold",
+                                        "map_fourfold", "fit_scene", "light_points"));
   EXPECT_THAT(cause_of(causes, 0)->id, "bias_zero");
   EXPECT_NEAR(causes.outcomes.front().removed[0], 1.0, 1e-6);
-  EXPECT_EQ(causes.outcomes[1].removed[0], 0.0);
-  EXPECT_EQ(causes.outcomes[7].not_tried, "no room for the map");
-  EXPECT_NEAR(causes.outcomes[9].removed[0], 0.5, 1e-6);
-  EXPECT_EQ(draws_of_causes(run_with()), 40.0);  // 16 of the light, 8 of maps, 8 of filters, 4 of taps, 2, 2
+  EXPECT_EQ(causes.outcomes[2].removed[0], 0.0);
+  EXPECT_EQ(causes.outcomes[8].not_tried, "no room for the map");
+  EXPECT_NEAR(causes.outcomes[10].removed[0], 0.5, 1e-6);
+  EXPECT_EQ(draws_of_causes(run_with()), 41.0);  // 16 of the light, 8 of maps, 8 of filters, 4 of taps, 3, 2
 }
 
 TEST(FindCauses, KeepsLengthsInTheWorldWhereAnotherFitMovesTexels) {

@@ -122,6 +122,19 @@ TEST(Causes, NoiseIsThePixelsOwnDeviation) {
   EXPECT_LT(*causes.reference_noise, 1e-4);
 }
 
+TEST(Causes, FewPixelsOfARoughTruthTellNoNoise) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> rough(0.2f, 0.8f);
+  Image reference = half_plane(1.6);
+  for (float& v : reference.plane("visibility")) v = rough(random);
+  EXPECT_TRUE(causes_of(reference, reference).noise);
+  // 16 x 16 px: the median of so few is uncertain by .02.
+  std::vector<uint8_t> few(reference.pixel_count(), 0);
+  for_floor_rectangle(100, 50, 116, 66, [&](size_t i) { few[i] = 1; });
+  EXPECT_FALSE(measure_causes(reference, reference, few, {}).reference_noise);
+  EXPECT_FALSE(measure_causes(reference, reference, few, {}).noise);
+}
+
 TEST(Causes, NothingToMeasureIsNotApplicable) {
   const Image lit = fault_floor([](double, double) { return 1.0; });
   const ErrorCauses causes = causes_of(lit, lit);

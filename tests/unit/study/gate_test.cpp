@@ -165,6 +165,24 @@ TEST(Gate, ACoarserMapsTexelsAreNamedBeforeWhatTheyMake) {
   }
 }
 
+TEST(Gate, PenumbraeErrMoreAsTexelsGrow) {
+  const auto with = [](double penumbra, double explained, double texel_px) {
+    GateRun run = with_share(FaultClass::overlap, penumbra);
+    run.diagnosis->faults.by_class[static_cast<size_t>(FaultClass::explained)].mean_abs_error = explained;
+    run.diagnosis->causes.median_footprint_px = texel_px;
+    return run;
+  };
+  const GateRun baseline = with(0.001, 0.009, 2.0);
+  // Half of the baseline's and .0002, then a twentieth of what errs there: .0005.
+  EXPECT_TRUE(judge_gate(with(0.0021, 0.009, 2.1), &baseline, false).passes());
+  EXPECT_FALSE(judge_gate(with(0.0023, 0.009, 2.1), &baseline, false).passes());
+  EXPECT_FALSE(judge_gate(with(0.0021, 0.009, 2.0), &baseline, false).passes());
+  EXPECT_FALSE(judge_gate(with(0.0021, 0.009, 1.0), &baseline, false).passes());
+  // A coarser map is allowed no more than a map laid otherwise.
+  EXPECT_TRUE(judge_gate(with(0.0026, 0.009, 9.0), &baseline, false).passes());
+  EXPECT_FALSE(judge_gate(with(0.0028, 0.009, 9.0), &baseline, false).passes());
+}
+
 TEST(Gate, GrainIsNotBanding) {
   GateRun run = clean_run();
   run.diagnosis->causes.banding = 0.9;
