@@ -50,6 +50,7 @@ constexpr const char* kFilament = "filament/shaders/src/surface_shadowing.fs";
 // bgfx: the first 16 taps of a Vogel disk made for 10 reach the root of 1.6 times its radius.
 const double kBgfxDisk = std::sqrt(16.0 / 10.0);
 constexpr const char* kBgfx = "bgfx/examples/16-shadowmaps/common.sh";
+// smSettings: by light and kind of depth; stored depth (InvZ) of a spot light is what it starts with.
 constexpr const char* kBgfxSettings = "bgfx/examples/16-shadowmaps/shadowmaps.cpp, m_xOffset";
 constexpr const char* kPlayCanvasSun =
     "engine/src/scene/shader-lib/glsl/chunks/lit/frag/lighting/shadowSoft.js";
@@ -138,9 +139,15 @@ const SourceConstant kConstants[] = {
     {"pcss_map_units", "bgfx", "search_taps", 16, 1, kBgfx},
     {"pcss_map_units", "bgfx", "filter_taps", 16, 1, kBgfx},
     {"pcss_map_units", "bgfx", "search_radius", 0.01, kBgfxDisk, kBgfx},
-    {"pcss_map_units", "bgfx", "penumbra_size", 1.0, kBgfxDisk, kBgfxSettings},
+    {"pcss_map_units", "bgfx", "penumbra_size", 15.0, kBgfxDisk, kBgfxSettings},
     {"pcss_map_units", "bgfx", "most_radius", 0.25, kBgfxDisk, kBgfx},
     {"pcss_map_units", "bgfx", "fade_share", 0.25, 1, kBgfx},
+    {"pcss_map_units", "bgfx-sun", "search_taps", 16, 1, kBgfx},
+    {"pcss_map_units", "bgfx-sun", "filter_taps", 16, 1, kBgfx},
+    {"pcss_map_units", "bgfx-sun", "search_radius", 0.01, kBgfxDisk, kBgfx},
+    {"pcss_map_units", "bgfx-sun", "penumbra_size", 0.5, kBgfxDisk, kBgfxSettings},
+    {"pcss_map_units", "bgfx-sun", "most_radius", 0.25, kBgfxDisk, kBgfx},
+    {"pcss_map_units", "bgfx-sun", "fade_share", 0.25, 1, kBgfx},
     {"pcss_map_units", "filament-sun", "search_taps", 16, 1, kFilament},
     {"pcss_map_units", "filament-sun", "filter_taps", 16, 1, kFilament},
     {"pcss_map_units", "filament-sun", "search_radius", 0.02, 1, kFilamentOptions},
