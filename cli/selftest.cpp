@@ -5,7 +5,7 @@
 #include "cli/home.h"
 #include "cli/progress_bar.h"
 #include "cli/staging.h"
-#include "cli/verbs.h"
+#include "cli/truth_memory.h"
 #include "core/files.h"
 #include "reference/reference.h"
 #include "report/selftest_output.h"
@@ -26,7 +26,7 @@ struct SelftestOptions {
   size_t trials = 0;
   bool all = false;
   SelftestParts asked = {false, false, false, false};
-  bool with_assets = false;
+  bool with_assets = false, no_reuse = false;
 };
 
 /// Scenes that need no assets; with `with_assets` also those whose assets are there.
@@ -53,6 +53,7 @@ SelftestParts parts_of(const SelftestParts& asked) {
 }
 
 int selftest(const SelftestOptions& options, const GlobalOptions& global) {
+  require_store(options.no_reuse, global);
   const Home home = find_home();
   const SceneSearch search = scene_search(global, home);
   std::vector<SceneJob> jobs;
@@ -62,7 +63,10 @@ int selftest(const SelftestOptions& options, const GlobalOptions& global) {
   }
   const Staging staging(std::filesystem::temp_directory_path());
   const auto realtime = open_realtime_renderer(global, home);
-  const auto reference = make_reference_renderer({kSamplesPerPixel, {}, global.threads});
+  TruthMemory memory(global, global.out, !options.no_reuse);
+  PictureQuality truth;
+  truth.samples_per_pixel = kSamplesPerPixel;
+  Renderer& reference = memory.reference(truth);
   const auto other = make_reference_renderer({kSamplesPerPixel, {}, other_threads(global.threads)});
   SelftestSettings settings;
   settings.rounds = {options.round};
@@ -77,9 +81,14 @@ int selftest(const SelftestOptions& options, const GlobalOptions& global) {
   settings.describe_run = [&home](const TechniqueChoice& choice) {
     return technique_with(choice.technique, choice.parameters, home);
   };
+  settings.answers = &memory.answers();
+  settings.makers = memory.makers(*realtime);
+  settings.samples_per_pixel = kSamplesPerPixel;
+  settings.techniques_hash = hash_folder(home.techniques);
   if (!global.out.empty()) create_folder(global.out);
   ProgressBar progress;
-  const SelftestResults results = run_selftest(jobs, settings, {*reference, *other, *realtime}, progress);
+  const SelftestResults results = run_selftest(jobs, settings, {reference, *other, *realtime}, progress);
+  print_reuse(memory);
   print_answer(global.json ? selftest_json(results) + "\n" : selftest_markdown(results));
   if (results.passes()) return kExitFine;
   print_error("the selftest misses a target");
@@ -108,6 +117,7 @@ void add_selftest(CLI::App& app, CommandLine& line) {
   verb->add_flag("--all", options->all,
                  "the whole: scenes of real models, and everything once more at a held-out size and seed");
   verb->add_option("--seed", options->round.seed, "of the samples");
+  verb->add_flag("--no-reuse", options->no_reuse, "try again what the store in --out knows");
   verb->add_flag("--assets-too", options->with_assets, "also the scenes of real models");
   verb->add_option("--width", options->round.width_px,
                    "of the pictures in px; what is given as right was seen at 320 x 180")

@@ -2,7 +2,8 @@
 #pragma once
 // A scene with its truth and pictures of it, for trials of the gate. Not here: which faults there are.
 
-#include "lab/validation.h"
+#include "lab/answers.h"
+#include "lab/keys.h"
 #include "study/gate.h"
 #include "study/metric_probe.h"
 #include "study/resolved.h"
@@ -54,6 +55,10 @@ struct SelftestSettings {
   std::filesystem::path pictures_folder;                    // of what was judged; empty: none are kept
   /// What a choice is, with all its parameters and those that may be replaced; needed for causes.
   std::function<TechniqueRun(const TechniqueChoice&)> describe_run;
+  Answers* answers = nullptr;   // where outcomes are kept; null: nowhere
+  Makers makers = {};           // of what is kept
+  int samples_per_pixel = 0;    // that the reference was made with
+  std::string techniques_hash;  // of the folder
 };
 
 /// `parameters` over those of `choice`.

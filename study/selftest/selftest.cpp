@@ -4,6 +4,7 @@
 #include "metrics/judgement.h"
 #include "results/metadata.h"
 #include "results/pictures.h"
+#include "study/selftest/kept_trials.h"
 
 #include <fmt/format.h>
 
@@ -112,33 +113,39 @@ SelftestRound further_round(const SelftestRound& first, uint64_t k) {
 
 void try_causes(std::span<const CauseCase> faults, Stage& stage, std::vector<CauseOutcome>& outcomes) {
   for (const CauseCase& fault : faults) {
-    if (fault.scene == stage.name()) outcomes.push_back(try_cause(fault, stage));
+    if (fault.scene != stage.name()) continue;
+    outcomes.push_back(ask(stage, "cause", fault.name, [&] { return try_cause(fault, stage); }));
   }
 }
 
 void try_benign(std::span<const BenignVariant> variants, Stage& stage, SelftestResults& results) {
   for (const BenignVariant& variant : variants) {
-    const Unresolved unresolved = variant.moves_texels ? stage.unresolved(soft_shadows()) : Unresolved{};
+    const Unresolved unresolved =
+        variant.moves_texels ? ask(stage, "unresolved", "", [&] { return stage.unresolved(soft_shadows()); })
+                             : Unresolved{};
     if (!is_resolved(unresolved)) {
       results.left_out.push_back({variant.name, stage.name(), stage.round(), unresolved});
       continue;
     }
-    results.benign.push_back({variant.name, stage.name(), stage.round(),
-                              judge_and_keep(variant.name, variant.make(stage), stage)});
+    const auto judged = [&] { return judge_and_keep(variant.name, variant.make(stage), stage); };
+    results.benign.push_back(
+        {variant.name, stage.name(), stage.round(), ask(stage, "benign", variant.name, judged)});
   }
 }
 
 void try_masks(std::span<const MaskCase> masks, Stage& stage, SelftestResults& results) {
   for (const MaskCase& mask : masks) {
-    if (const auto outcome = count_mask(mask, stage)) results.masks.push_back(*outcome);
+    const auto counted = [&] { return count_mask(mask, stage); };
+    if (const auto outcome = ask(stage, "mask", mask.name, counted)) results.masks.push_back(*outcome);
   }
 }
 
 void try_faults(std::span<const FaultCase> faults, Stage& stage, SelftestResults& results) {
   for (const FaultCase& fault : faults) {
     if (fault.scene != stage.name()) continue;
+    const auto judged = [&] { return judge_and_keep(fault.name, fault.make(stage), stage); };
     results.faults.push_back({fault.name, fault.scene, stage.round(), fault.origin, fault.right,
-                              judge_and_keep(fault.name, fault.make(stage), stage)});
+                              ask(stage, "fault", fault.name, judged)});
   }
 }
 
@@ -247,7 +254,8 @@ SelftestResults run_selftest(std::span<const SceneJob> jobs, const SelftestSetti
       try_faults(suite.faults, stage, results);
       if (round == settings.rounds.front()) {
         try_causes(suite.causes, stage, results.causes);
-        if (settings.parts.hardening) results.hardening.push_back(try_hardening(stage));
+        if (settings.parts.hardening)
+          results.hardening.push_back(ask(stage, "hardening", "", [&] { return try_hardening(stage); }));
       }
       progress.advance(1);
     }

@@ -172,6 +172,8 @@ INSTANTIATE_TEST_SUITE_P(
         Verb{"stress",
              with_size({"stress", "--axis", "map_size", "--technique", "hard", "--technique", "pcf"})},
         Verb{"traits", with_size({"techniques", "traits", "hard", "pcss"})},
+        Verb{"selftest",
+             {"selftest", "--scene", "plate", "--benign", "--hardening", "--width", "64", "--height", "64"}},
         Verb{"tune", with_size({"tune", "plate", "--technique", "pcf_disk", "--evaluations", "6", "--cameras",
                                 "1", "--no-coarse", "--time-limit", "1000s"})}),
     [](const testing::TestParamInfo<Verb>& verb) { return verb.param.name; });

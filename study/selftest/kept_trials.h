@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// What a self-test has tried, in a store (lab/answers.h): one that was killed goes on from there. What reads throws
+// nlohmann::json::exception for another version's.
+
+#include "lab/answers.h"
+#include "study/selftest/selftest.h"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+namespace umbrameter {
+
+nlohmann::ordered_json trial_json(const GateVerdict& verdict);
+nlohmann::ordered_json trial_json(const Unresolved& unresolved);
+nlohmann::ordered_json trial_json(const std::optional<MaskOutcome>& outcome);
+nlohmann::ordered_json trial_json(const CauseOutcome& outcome);
+nlohmann::ordered_json trial_json(const HardeningOutcome& outcome);
+void read_trial(const nlohmann::json& json, GateVerdict& verdict);
+void read_trial(const nlohmann::json& json, Unresolved& unresolved);
+void read_trial(const nlohmann::json& json, std::optional<MaskOutcome>& outcome);
+void read_trial(const nlohmann::json& json, CauseOutcome& outcome);
+void read_trial(const nlohmann::json& json, HardeningOutcome& outcome);
+
+/// Of the trial `name` of a `kind` ("fault") on the stage.
+std::string trial_key(const Stage& stage, const std::string& kind, const std::string& name);
+
+/// What `make` says, or said before.
+template <class Make>
+auto ask(Stage& stage, const std::string& kind, const std::string& name, const Make& make) -> decltype(make()) {
+  Answers* const answers = stage.settings().answers;
+  if (answers == nullptr || !answers->keeps()) return make();
+  const std::string key = trial_key(stage, kind, name);
+  decltype(make()) outcome{};
+  if (answers->find(key, [&](const nlohmann::json& json) { read_trial(json, outcome); })) return outcome;
+  outcome = make();
+  answers->keep(key, trial_json(outcome));
+  return outcome;
+}
+
+}  // namespace umbrameter
