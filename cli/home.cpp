@@ -60,9 +60,11 @@ std::vector<std::string> split(const std::string& text, char separator) {
   }
 }
 
-ParameterValues parse_assignments(const Technique& technique, const std::vector<std::string>& assignments) {
+/// As the command line says them, with those of a preset file; `light` is empty where they are for any.
+std::vector<LightPreset> parse_assignments(const Technique& technique,
+                                           const std::vector<std::string>& assignments) {
   ParameterValues values;
-  ParameterValues from_file;
+  std::vector<LightPreset> from_file;
   for (const std::string& assignment : assignments) {
     const auto [name, text] = split_assignment(assignment);
     if (values.count(name) > 0 || (name == "preset" && !from_file.empty()))
@@ -77,8 +79,13 @@ ParameterValues parse_assignments(const Technique& technique, const std::vector<
     }
     values[name] = parse_parameter_value(find_parameter(technique.parameters, name, technique.id), text);
   }
-  values.merge(from_file);  // what the command line says counts more
-  return values;
+  if (from_file.empty()) return {{"", values}};
+  for (LightPreset& preset : from_file) {
+    ParameterValues all = values;  // what the command line says counts more
+    all.merge(preset.values);
+    preset.values = std::move(all);
+  }
+  return from_file;
 }
 
 /// A path to a folder or a picture is passed on as an absolute path, an id as it is.
@@ -140,8 +147,9 @@ SceneJob load_scene_job(const std::string& name_or_path, const SceneSearch& sear
              {}, "choose one with --light");
 }
 
-TechniqueRun choose_technique(const std::string& text, const std::vector<std::string>& assignments,
-                              const Home& home) {
+std::vector<TechniqueRun> choose_technique_runs(const std::string& text,
+                                                const std::vector<std::string>& assignments,
+                                                const Home& home) {
   const size_t colon = std::filesystem::is_directory(text) ? std::string::npos : text.find(':');
   const std::string id_or_path = text.substr(0, colon);
   const Technique technique = find_run(id_or_path, home);
@@ -153,7 +161,26 @@ TechniqueRun choose_technique(const std::string& text, const std::vector<std::st
     const auto parts = split(settings, ',');
     all.insert(all.end(), parts.begin(), parts.end());
   }
-  return run_of(technique, request_text(id_or_path), label, parse_assignments(technique, all));
+  std::vector<TechniqueRun> runs;
+  for (const LightPreset& values : parse_assignments(technique, all)) {
+    runs.push_back(run_of(technique, request_text(id_or_path), label, values.values));
+    runs.back().only_light = values.light;
+  }
+  return runs;
+}
+
+TechniqueRun choose_technique(const std::string& text, const std::vector<std::string>& assignments,
+                              const Home& home, const std::string& light) {
+  std::vector<TechniqueRun> runs = choose_technique_runs(text, assignments, home);
+  std::vector<std::string> lights;
+  for (TechniqueRun& run : runs) {
+    if (run.only_light.empty() || run.only_light == light) return std::move(run);
+    lights.push_back(run.only_light);
+  }
+  fail_input(light.empty()
+                 ? fmt::format("'{}' has values for single lights, which this command does not take", text)
+                 : fmt::format("'{}' has no values for light '{}'", text, light),
+             {}, fmt::format("it has them for: {}", fmt::join(lights, ", ")));
 }
 
 TechniqueRun technique_with(const std::string& id_or_path, const ParameterValues& parameters,

@@ -43,8 +43,14 @@ SceneJob load_scene_job(const std::string& name_or_path, const SceneSearch& sear
 
 /// "ID[:name=value,...]" (ID may be a folder) plus further "name=value" texts. `preset=NAME` chooses a
 /// preset, `preset=FILE.toml` reads one (cli/preset_file.h). Error{input} for unknown techniques, parameters, presets, and values out of range.
+/// A preset file with values for single lights gives a run for each of them.
+std::vector<TechniqueRun> choose_technique_runs(const std::string& text,
+                                                const std::vector<std::string>& assignments,
+                                                const Home& home);
+
+/// The same where one run is wanted: of a file with values for single lights that for `light`. Error{input} when it has none.
 TechniqueRun choose_technique(const std::string& text, const std::vector<std::string>& assignments,
-                              const Home& home);
+                              const Home& home, const std::string& light = {});
 
 /// The technique with these values; Error{input} likewise.
 TechniqueRun technique_with(const std::string& id_or_path, const ParameterValues& parameters,

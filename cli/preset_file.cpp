@@ -11,11 +11,30 @@
 namespace umbrameter {
 namespace {
 
+struct PresetTable {
+  std::string light;
+  std::vector<TomlEntry> values;
+};
+
 struct PresetFile {
   std::string technique;
   FileLocation where;
-  std::vector<TomlEntry> values;
+  std::vector<PresetTable> presets;
 };
+
+PresetTable read_preset(const TomlNode& node, bool is_one_of_several) {
+  TomlReader table(node, "[[preset]]");
+  table.text("name");
+  table.text("doc", "");
+  PresetTable preset{table.text("light", ""), {}};
+  if (is_one_of_several && preset.light.empty())
+    table.fail("light", "a preset file with several [[preset]] has one a light", "name its 'light'");
+  const TomlNode& values = table.require("values");
+  if (values.type != TomlNode::Type::table) table.fail("values", "'values' is not a table");
+  preset.values = values.entries;
+  table.finish();
+  return preset;
+}
 
 PresetFile load(const std::string& file) {
   const TomlNode root = parse_toml_file(file);
@@ -24,17 +43,31 @@ PresetFile load(const std::string& file) {
   preset.technique = reader.text("technique");
   preset.where = reader.where("technique");
   const auto tables = reader.tables("preset");
-  if (tables.size() != 1)
-    reader.fail("preset", fmt::format("a preset file has one [[preset]], this has {}", tables.size()));
-  TomlReader table(*tables.front(), "[[preset]]");
-  table.text("name");
-  table.text("doc", "");
-  const TomlNode& values = table.require("values");
-  if (values.type != TomlNode::Type::table) table.fail("values", "'values' is not a table");
-  preset.values = values.entries;
-  table.finish();
+  if (tables.empty())
+    reader.fail("preset", "a preset file has one [[preset]], or one a light; this has none");
+  for (const TomlNode* table : tables) {
+    preset.presets.push_back(read_preset(*table, tables.size() > 1));
+    const std::string& light = preset.presets.back().light;
+    if (std::ranges::count(preset.presets, light, &PresetTable::light) > 1)
+      fail_input(fmt::format("two presets are for light '{}'", light), table->where);
+  }
   reader.finish();
   return preset;
+}
+
+ParameterValues read_values(const std::vector<TomlEntry>& entries, const Technique& technique) {
+  std::vector<std::string> known;
+  for (const Parameter& parameter : technique.parameters) known.push_back(parameter.name);
+  ParameterValues values;
+  for (const auto& [name, node] : entries) {
+    const auto parameter = std::ranges::find(technique.parameters, name, &Parameter::name);
+    if (parameter == technique.parameters.end()) {
+      fail_input(fmt::format("technique '{}' has no parameter '{}'", technique.id, name), node.where,
+                 suggest_name(name, known));
+    }
+    values[name] = read_parameter_value(*parameter, node);
+  }
+  return values;
 }
 
 }  // namespace
@@ -47,24 +80,16 @@ std::string technique_of_preset(const std::string& file) {
   return load(file).technique;
 }
 
-ParameterValues read_preset_file(const std::string& file, const Technique& technique) {
+std::vector<LightPreset> read_preset_file(const std::string& file, const Technique& technique) {
   const PresetFile preset = load(file);
   if (preset.technique != technique.id) {
     fail_input(fmt::format("this preset is for technique '{}', not '{}'", preset.technique, technique.id),
                preset.where);
   }
-  std::vector<std::string> known;
-  for (const Parameter& parameter : technique.parameters) known.push_back(parameter.name);
-  ParameterValues values;
-  for (const auto& [name, node] : preset.values) {
-    const auto parameter = std::ranges::find(technique.parameters, name, &Parameter::name);
-    if (parameter == technique.parameters.end()) {
-      fail_input(fmt::format("technique '{}' has no parameter '{}'", technique.id, name), node.where,
-                 suggest_name(name, known));
-    }
-    values[name] = read_parameter_value(*parameter, node);
-  }
-  return values;
+  std::vector<LightPreset> presets;
+  for (const PresetTable& table : preset.presets)
+    presets.push_back({table.light, read_values(table.values, technique)});
+  return presets;
 }
 
 }  // namespace umbrameter

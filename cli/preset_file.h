@@ -6,6 +6,7 @@
 #include "realtime/manifest/technique.h"
 
 #include <string>
+#include <vector>
 
 namespace umbrameter {
 
@@ -15,7 +16,14 @@ bool is_preset_file(const std::string& text);
 /// The technique that the file is for; Error{input} when it is malformed.
 std::string technique_of_preset(const std::string& file);
 
-/// Its values; Error{input} at their place when they are not the technique's, or the file is for another one.
-ParameterValues read_preset_file(const std::string& file, const Technique& technique);
+/// Values for every light (`light` is empty), or for the light of that name.
+struct LightPreset {
+  std::string light;
+  ParameterValues values;
+};
+
+/// One for every light, or one or several for a light each. Error{input} at their place when values are not the technique's,
+/// or the file is for another one.
+std::vector<LightPreset> read_preset_file(const std::string& file, const Technique& technique);
 
 }  // namespace umbrameter

@@ -84,8 +84,10 @@ int render(const RenderOptions& options, const GlobalOptions& global) {
   const Home home = find_home();
   std::vector<std::string> assignments = options.assignments;
   if (!options.preset.empty()) assignments.push_back("preset=" + options.preset);
-  const TechniqueRun run = choose_technique(options.technique, assignments, home);
+  choose_technique_runs(options.technique, assignments,
+                        home);  // what is wrong with it is said before a scene is loaded
   const SceneJob job = load_scene_job(options.scene, scene_search(global, home));
+  const TechniqueRun run = choose_technique(options.technique, assignments, home, job.scene.light().name);
   const LightType light = job.scene.light().type;
   if (std::find(run.lights.begin(), run.lights.end(), light) == run.lights.end()) {
     fail_input(fmt::format("technique '{}' does not support the {} light of scene '{}'", run.id,

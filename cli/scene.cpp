@@ -160,7 +160,7 @@ void add_scene(CLI::App& app, CommandLine& line) {
   CLI::App* import_verb = verb->add_subcommand(
       "import", "a scene file to --out (default scene.toml) that refers to a file of another program");
   import_verb->fallthrough();
-  import_verb->add_option("file", *scene, ".gltf, .glb or .fbx")->required();
+  import_verb->add_option("file", *scene, ".gltf, .glb, .fbx, .xml (Mitsuba) or .pbrt")->required();
   add_time_options(*import_verb, line.global);
   import_verb->callback(
       [scene, &line] { line.verb = [scene, &line] { return import_scene(*scene, line.global); }; });

@@ -8,7 +8,7 @@
 
 namespace umbrameter {
 
-/// Writes a scene file that refers to the glTF file `name`, with its cameras and lights, to be edited.
+/// Writes a scene file that refers to another program's file `name`, with its cameras and lights, to be edited.
 int import_scene(const std::string& name, const GlobalOptions& global);
 
 }  // namespace umbrameter

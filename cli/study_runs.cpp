@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/study_runs.h"
 
+#include "cli/preset_file.h"
 #include "core/error.h"
 #include "core/names.h"
 #include "scenes/choose_light.h"
@@ -63,19 +64,32 @@ StudyScene seen_by(const StudyCamera& camera, const StudyScene& own) {
   return {own.name, seen_from(own.scene, camera_in(camera, own.scene.camera)), camera.name};
 }
 
-TechniqueRun choose_run(const StudyRun& run, const std::string& request, const Technique& technique) {
-  ParameterValues values;
-  if (!run.preset.empty()) values["preset"] = run.preset;
-  for (const auto& [name, node] : run.values) values[name] = read_value(technique, name, node);
-  const ParameterValues complete = resolve_parameters(technique, values);
-  with_stages(technique, complete);  // finds stages that cannot be switched
-  return {.technique = request,
-          .id = technique.id,
-          .label = run.label,
-          .title = technique.title,
-          .hash = technique.hash,
-          .parameters = complete,
-          .lights = technique.lights};
+/// One, or one a light where the preset is a file with values for single lights.
+std::vector<TechniqueRun> choose_runs(const StudyRun& run, const std::filesystem::path& study_file,
+                                      const std::string& request, const Technique& technique) {
+  ParameterValues own;
+  for (const auto& [name, node] : run.values) own[name] = read_value(technique, name, node);
+  std::vector<LightPreset> presets{{}};
+  if (is_preset_file(run.preset))
+    presets = read_preset_file(beside(study_file, run.preset), technique);
+  else if (!run.preset.empty())
+    own["preset"] = run.preset;
+  std::vector<TechniqueRun> runs;
+  for (LightPreset& preset : presets) {
+    ParameterValues values = own;  // what the study says counts more
+    values.merge(preset.values);
+    const ParameterValues complete = resolve_parameters(technique, values);
+    with_stages(technique, complete);  // finds stages that cannot be switched
+    runs.push_back({.technique = request,
+                    .id = technique.id,
+                    .label = run.label,
+                    .title = technique.title,
+                    .hash = technique.hash,
+                    .parameters = complete,
+                    .lights = technique.lights,
+                    .only_light = preset.light});
+  }
+  return runs;
 }
 
 }  // namespace
@@ -109,8 +123,10 @@ std::vector<BenchRun> choose_study_runs(const StudyFile& study, const std::files
   for (const StudyRun& run : study.runs) {
     const std::string request = run.is_picture ? picture_beside(file, run) : beside(file, run.technique);
     if (!techniques.contains(request)) techniques[request] = find_run(request, home);
-    runs.push_back(choose_run(run, request, techniques[request]));
-    costs.push_back({run.label, compares_per_pixel(techniques[request], runs.back().parameters)});
+    for (TechniqueRun& chosen : choose_runs(run, file, request, techniques[request])) {
+      costs.push_back({run.label, compares_per_pixel(techniques[request], chosen.parameters)});
+      runs.push_back(std::move(chosen));
+    }
   }
   require_fair_costs(study.claims, costs);
   std::vector<BenchRun> all;

@@ -123,4 +123,14 @@ std::string tune_text(const TunePlan& plan, const TuneResult& result) {
   return text + "\n" + engine_block(plan, result);
 }
 
+std::string lit_sum_text(const std::vector<LitSum>& sums) {
+  std::string text;
+  for (const LitSum& sum : sums) {
+    text +=
+        fmt::format("all lights of {} together: lit RMSE [95 %] {} as given, {} tuned by light: {}\n",
+                    sum.scene, format_interval(sum.before), format_interval(sum.after), name_of(sum.outcome));
+  }
+  return text;
+}
+
 }  // namespace umbrameter

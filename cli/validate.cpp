@@ -115,9 +115,12 @@ std::vector<TechniqueRun> choose_techniques(std::vector<std::string> given,
   std::set<std::string> labels;
   for (const std::string& text : given) {
     if (!texts.insert(text).second) fail_input(fmt::format("technique '{}' is given twice", text));
-    TechniqueRun run = choose_technique(text, {}, home);
-    if (!labels.insert(run.label).second) run.label = text;  // a user's copy of a built-in id
-    runs.push_back(std::move(run));
+    std::vector<TechniqueRun> chosen = choose_technique_runs(text, {}, home);
+    const bool is_taken = !labels.insert(chosen.front().label).second;
+    for (TechniqueRun& run : chosen) {
+      if (is_taken) run.label = text;  // a user's copy of a built-in id
+      runs.push_back(std::move(run));
+    }
   }
   return runs;
 }

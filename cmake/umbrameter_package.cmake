@@ -48,7 +48,7 @@ set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "headers and static libraries of Umb
 Headers, static libraries, CMake package and pkg-config file to render truths,
 run shadow techniques and score pictures from another program.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-    "libglm-dev, libfmt-dev, libtbb-dev, libembree-dev, libopenimageio-dev, nlohmann-json3-dev, libsqlite3-dev, libzstd-dev, libassimp-dev, libxxhash-dev, libnlopt-dev, libnlopt-cxx-dev, libepoxy-dev, libegl-dev, zlib1g-dev")
+    "libglm-dev, libfmt-dev, libtbb-dev, libembree-dev, libopenimageio-dev, nlohmann-json3-dev, libsqlite3-dev, libzstd-dev, libassimp-dev, libpugixml-dev, libxxhash-dev, libnlopt-dev, libnlopt-cxx-dev, libepoxy-dev, libegl-dev, zlib1g-dev")
 
 # What Debian asks of every package: copyright and changelog.
 foreach(pair IN ITEMS program:umbrameter exact:umbrameter-exact development:libumbrameter-dev python:python3-umbrameter)

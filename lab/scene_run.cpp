@@ -70,12 +70,12 @@ std::string SceneContext::relative(const std::string& file) const {
   return image_path(name, file);
 }
 
-std::vector<TechniqueFrame> choose_runs(const ValidationPlan& plan, const std::string& scene, LightType light,
+std::vector<TechniqueFrame> choose_runs(const ValidationPlan& plan, const SceneResult& scene, LightType light,
                                         std::vector<Skip>& skipped) {
   std::vector<TechniqueFrame> runs;
   for (const TechniqueRun& run : plan.techniques) {
-    if (const auto reason = skip_reason(run, light)) {
-      skipped.push_back({scene, run.label, *reason});
+    if (const auto reason = skip_reason(run, light, scene.light_name)) {
+      skipped.push_back({scene.name, run.label, *reason});
       continue;
     }
     runs.push_back({run, describe(run), {}, {}, {}});

@@ -38,7 +38,7 @@ struct TechniqueFrame {
 };
 
 /// Every run of the plan that supports the light, undone; the others join `skipped`.
-std::vector<TechniqueFrame> choose_runs(const ValidationPlan& plan, const std::string& scene, LightType light,
+std::vector<TechniqueFrame> choose_runs(const ValidationPlan& plan, const SceneResult& scene, LightType light,
                                         std::vector<Skip>& skipped);
 
 /// Renders all runs that are not reused, stores their images, and times them in turn.

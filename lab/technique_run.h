@@ -19,6 +19,7 @@ struct TechniqueRun {
   std::string hash;
   ParameterValues parameters;
   std::vector<LightType> lights;  // supported
+  std::string only_light = {};    // the name of the light that the parameters are for; empty: any
   /// Those that act with these values: what lab/causes/ may replace. None for an engine.
   std::vector<Parameter> declared = {};
 };

@@ -171,7 +171,7 @@ void count(const SceneResult& scene, WorkDone& work) {
 SceneResult validate_scene(const SceneWork& work, Results& results) {
   SceneResult scene = work.source.description;
   create_folder((work.folder / image_path(scene.name, "reference.exr")).parent_path());
-  std::vector<TechniqueFrame> runs = choose_runs(work.plan, scene.name, work.source.light, results.skipped);
+  std::vector<TechniqueFrame> runs = choose_runs(work.plan, scene, work.source.light, results.skipped);
   if (!recall(work, scene, runs, results.skipped)) measure(work, scene, runs, results.skipped);
   for (TechniqueFrame& run : runs) scene.techniques.push_back(std::move(run.result));
   count(scene, results.work);
@@ -186,13 +186,16 @@ SceneSource source_of(const SceneJob& job) {
           [borrowed] { return borrowed; }};
 }
 
-std::optional<std::string> skip_reason(const TechniqueRun& run, LightType light) {
+std::optional<std::string> skip_reason(const TechniqueRun& run, LightType light,
+                                       const std::string& light_name) {
+  if (!run.only_light.empty() && run.only_light != light_name)
+    return fmt::format("has values for light '{}' alone", run.only_light);
   if (std::ranges::find(run.lights, light) != run.lights.end()) return std::nullopt;
   return fmt::format("does not support {} lights", to_text(light));
 }
 
 std::optional<std::string> skip_reason(const TechniqueRun& run, const Scene& scene) {
-  return skip_reason(run, scene.light().type);
+  return skip_reason(run, scene.light().type, scene.light().name);
 }
 
 Results run_validation(std::span<const SceneJob> scenes, const ValidationPlan& plan, Renderers renderers,

@@ -63,7 +63,8 @@ struct Renderers {
 };
 
 /// Why `run` is left out of `scene`, if it is.
-std::optional<std::string> skip_reason(const TechniqueRun& run, LightType light);
+std::optional<std::string> skip_reason(const TechniqueRun& run, LightType light,
+                                       const std::string& light_name);
 std::optional<std::string> skip_reason(const TechniqueRun& run, const Scene& scene);
 
 /// Called after each scene, for a line on the terminal.

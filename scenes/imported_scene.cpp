@@ -20,17 +20,6 @@ using glm::dvec3;
 constexpr double kLamp_radius_world = 0.05;  // of a lamp that has no size
 constexpr double kSun_deg = 0.53;            // the real one's
 
-/// Its tangent is the one that follows from the direction.
-Light light_of(std::string name, LightType type, const dvec3& center, const dvec3& direction) {
-  Light light;
-  light.name = std::move(name);
-  light.type = type;
-  light.center_world = center;
-  light.direction_world = direction;
-  light.tangent_world = default_tangent(direction);
-  return light;
-}
-
 /// Whether an animation or a file has scaled it to nothing.
 bool has_axes(const glm::dmat4& world_from_own) {
   for (int axis = 0; axis < 3; ++axis) {
@@ -60,6 +49,7 @@ class SceneWriter {
     imported_.toml +=
         fmt::format("\n[[mesh]]\nname = {}\nfile = {}\n", name, toml_string(mesh_file_.generic_string()));
     if (found_.at) add_time(*found_.at);
+    for (const Light& light : found_.known_lights) add_known(light);
     for (const FoundLight& light : found_.lights) add_light(light);
     if (light_names_.empty()) add_sun();
     return std::move(imported_);
@@ -86,7 +76,8 @@ class SceneWriter {
     return "[camera]\n" + camera_keys({.eye_world = eye,
                                        .at_world = eye + distance * forward,
                                        .up_world = glm::normalize(dvec3(camera.world_from_camera[1])),
-                                       .vertical_fov_deg = camera.vertical_fov_deg});
+                                       .vertical_fov_deg = camera.vertical_fov_deg,
+                                       .near_world = camera.near_world});
   }
 
   void add_cameras() {
@@ -123,6 +114,21 @@ class SceneWriter {
     return name;
   }
 
+  /// A sphere's direction is where its maps look: at the scene.
+  dvec3 towards_middle(const dvec3& center, const dvec3& fallback) const {
+    const dvec3 to_middle = middle() - center;
+    return glm::length(to_middle) > 0.0 ? glm::normalize(to_middle) : fallback;
+  }
+
+  void add_known(Light light) {
+    light.name = unique(light.name);
+    if (light.type == LightType::sphere) {
+      light.direction_world = towards_middle(light.center_world, light.direction_world);
+      light.tangent_world = default_tangent(light.direction_world);
+    }
+    imported_.toml += "\n[[light]]\n" + light_keys(light);
+  }
+
   void add_light(const FoundLight& found) {
     if (!has_axes(found.world_from_light)) {
       warn(fmt::format("light '{}' is scaled to nothing and is left out", found.name));
@@ -150,9 +156,7 @@ class SceneWriter {
     if (found.kind == FoundLightKind::spot)
       warn(fmt::format("spot '{}' is a disk without the edges of its cone", name));
     const double radius_world = known_or(found.radius_world, kLamp_radius_world, name, "radius in metres");
-    // A sphere's direction is where its maps look: at the scene.
-    const dvec3 to_middle = middle() - center;
-    const dvec3 direction = is_flat || glm::length(to_middle) == 0.0 ? forward : glm::normalize(to_middle);
+    const dvec3 direction = is_flat ? forward : towards_middle(center, forward);
     Light light = light_of(name, is_flat ? LightType::disk : LightType::sphere, center, direction);
     light.radius_world = radius_world;
     return light;
@@ -172,6 +176,16 @@ class SceneWriter {
 };
 
 }  // namespace
+
+Light light_of(std::string name, LightType type, const dvec3& center_world, const dvec3& direction_world) {
+  Light light;
+  light.name = std::move(name);
+  light.type = type;
+  light.center_world = center_world;
+  light.direction_world = direction_world;
+  light.tangent_world = default_tangent(direction_world);
+  return light;
+}
 
 Bounds3 bounds_of(const MeshData& mesh) {
   Bounds3 bounds;

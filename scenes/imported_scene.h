@@ -26,6 +26,7 @@ struct FoundCamera {
   std::string name;  // for people: "node 'Camera'"
   glm::dmat4 world_from_camera{1.0};
   double vertical_fov_deg = 45.0;
+  double near_world = 0.0;  // 0: left to the loader
 };
 
 enum class FoundLightKind : uint8_t { point, spot, area, sun };
@@ -45,9 +46,14 @@ struct FoundScene {
   std::optional<AnimationTime> at;
   Bounds3 bounds_world;
   std::vector<FoundCamera> cameras;
+  std::vector<Light> known_lights;  // nothing is missing of them; names need not differ
   std::vector<FoundLight> lights;
   std::vector<std::string> warnings;
 };
+
+/// A light without a size. Its tangent is the one that follows from the direction.
+Light light_of(std::string name, LightType type, const glm::dvec3& center_world,
+               const glm::dvec3& direction_world);
 
 /// Around all of the mesh, with what it repeats.
 Bounds3 bounds_of(const MeshData& mesh);

@@ -2,6 +2,7 @@
 #include "scenes/read_mask.h"
 
 #include "core/image_io.h"
+#include "core/srgb.h"
 
 namespace umbrameter {
 namespace {
@@ -28,11 +29,38 @@ AlphaMask make_mask(const Image& image, std::span<const float> coverage, const s
   return mask;
 }
 
+std::span<const float> first_colour_of(const Image& image) {
+  for (const char* name : {"R", "Y"}) {
+    if (image.has(name)) return image.plane(name);
+  }
+  return image.planes.begin()->second;
+}
+
 }  // namespace
 
 AlphaMask read_mask(const std::filesystem::path& path, float alpha) {
   const Image image = read_image(path);
   return make_mask(image, coverage_of(image), path.filename().string(), alpha);
+}
+
+AlphaMask mask_by_colour(const std::filesystem::path& path, const ColourMask& how) {
+  const ImagePart part = std::move(read_image_parts(path).front());
+  const Image& image = part.image;
+  const bool is_encoded = how.is_encoded && part.levels > 0;
+  const auto linear = [is_encoded](float value) {
+    return is_encoded ? static_cast<float>(linear_of_srgb(static_cast<double>(value))) : value;
+  };
+  std::vector<float> values;
+  values.reserve(image.pixel_count());
+  if (how.is_luminance && image.has("R") && image.has("G") && image.has("B")) {
+    const auto r = image.plane("R"), g = image.plane("G"), b = image.plane("B");
+    for (size_t i = 0; i < r.size(); ++i)
+      values.push_back(0.2126f * linear(r[i]) + 0.7152f * linear(g[i]) + 0.0722f * linear(b[i]));
+  } else {
+    for (const float value : first_colour_of(image)) values.push_back(linear(value));
+  }
+  for (float& value : values) value = how.inverts ? 1.0f - how.scale * value : how.scale * value;
+  return make_mask(image, values, path.filename().string(), 1.0f);
 }
 
 std::optional<AlphaMask> mask_by_alpha(const Image& image, const std::string& name, float alpha) {

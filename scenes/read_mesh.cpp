@@ -4,10 +4,12 @@
 #include "scenes/assimp/assimp_mesh.h"
 #include "scenes/file_ending.h"
 #include "scenes/gltf/gltf_mesh.h"
+#include "scenes/import_scene.h"
 #include "scenes/instances.h"
 #include "scenes/obj/load_obj.h"
 #include "scenes/read_shape.h"
 #include "scenes/read_values.h"
+#include "scenes/rotation.h"
 
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
@@ -33,25 +35,6 @@ struct Transform {
   dmat3 linear{1.0};
   dvec3 translation{0.0};
 };
-
-/// Cosine and sine, exact at multiples of 90 degrees, so that boxes stay on round numbers.
-glm::dvec2 circle_deg(double angle_deg) {
-  const double quarters = angle_deg / 90.0;
-  if (quarters == std::floor(quarters)) {
-    constexpr std::array<std::array<double, 2>, 4> kExact = {{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
-    const auto& [cosine, sine] = kExact[static_cast<size_t>(quarters - 4.0 * std::floor(quarters / 4.0))];
-    return {cosine, sine};
-  }
-  const double angle_rad = glm::radians(angle_deg);
-  return {std::cos(angle_rad), std::sin(angle_rad)};
-}
-
-/// Right-handed rotation about the unit `axis` (Rodrigues).
-dmat3 rotation(const dvec3& axis, double angle_deg) {
-  const glm::dvec2 circle = circle_deg(angle_deg);
-  const dmat3 cross(dvec3(0, axis.z, -axis.y), dvec3(-axis.z, 0, axis.x), dvec3(axis.y, -axis.x, 0));
-  return circle.x * dmat3(1.0) + circle.y * cross + (1.0 - circle.x) * glm::outerProduct(axis, axis);
-}
 
 dvec3 read_scale(TomlReader& reader) {
   const TomlNode* node = reader.find("scale");
@@ -107,9 +90,9 @@ void apply(const Transform& transform, MeshData& mesh) {
 fs::path require_mesh_file(const TomlReader& reader, const std::string& name, const fs::path& folder,
                            const SceneSearch& search) {
   if (!has_ending(name, ".obj") && !has_ending(name, ".obj.zst") && !is_gltf(name) &&
-      !is_read_by_assimp(name)) {
+      !is_read_by_assimp(name) && !is_foreign_scene(name)) {
     reader.fail("file", fmt::format("mesh file '{}' has an unknown format", name),
-                "'.obj', '.obj.zst', '.gltf', '.glb', '.fbx', '.dae', '.ply' and '.stl' are read");
+                "'.obj', '.obj.zst', '.gltf', '.glb', '.fbx', '.dae', '.ply', '.stl', '.xml' and '.pbrt' are read");
   }
   if (const auto found = find_mesh_file(name, folder, search)) return *found;
   std::string places = fmt::format("'{}'", folder.empty() ? "." : folder.string());
@@ -128,6 +111,7 @@ struct FileRequest {
 
 MeshData load_mesh_file(const FileRequest& wanted, std::vector<std::string>& warnings) {
   const auto& [file, filter, at] = wanted;
+  if (is_foreign_scene(file.string())) return load_foreign_mesh(file, filter, warnings);
   if (is_gltf(file.string())) return load_gltf_mesh(open_gltf(file, at), filter, warnings);
   if (is_read_by_assimp(file.string())) return load_assimp_mesh(file, filter, at, warnings);
   return load_obj(file, filter, warnings);

@@ -3,6 +3,7 @@
 
 #include "core/error.h"
 #include "core/names.h"
+#include "core/srgb.h"
 
 #include <fmt/format.h>
 
@@ -144,7 +145,7 @@ Transfer parse_transfer(std::string_view text) {
 double light_of(double stored, Transfer transfer) {
   if (transfer == Transfer::linear) return stored;
   if (transfer == Transfer::gamma22) return std::pow(std::max(0.0, stored), 2.2);
-  return stored <= 0.04045 ? stored / 12.92 : std::pow((stored + 0.055) / 1.055, 2.4);  // IEC 61966-2-1
+  return linear_of_srgb(stored);
 }
 
 double slope_of_light(double stored, Transfer transfer) {

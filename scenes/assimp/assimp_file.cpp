@@ -4,6 +4,7 @@
 #include "core/error.h"
 #include "scenes/assimp/assimp_animation.h"
 #include "scenes/assimp/assimp_values.h"
+#include "scenes/assimp/check_ply.h"
 #include "scenes/file_ending.h"
 
 #include <assimp/config.h>
@@ -74,6 +75,7 @@ void walk(AssimpFile& file, const AssimpPoses& poses, const aiNode& node, const 
 }  // namespace
 
 AssimpFile open_assimp(const std::filesystem::path& path, const std::optional<AnimationTime>& at) {
+  if (has_ending(path.string(), ".ply")) check_ply(path);
   AssimpFile file;
   file.path = path;
   file.importer = std::make_shared<Assimp::Importer>();

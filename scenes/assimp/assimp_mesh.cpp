@@ -25,7 +25,12 @@ constexpr std::array<const char*, 4> kEndings = {".fbx", ".dae", ".ply", ".stl"}
 class AssimpReader {
  public:
   AssimpReader(const AssimpFile& file, const MeshFilter& filter, std::vector<std::string>& warnings)
-      : file_(file), path_(file.path), scene_(file.scene), names_(filter), warnings_(warnings) {}
+      : file_(file),
+        path_(file.path),
+        scene_(file.scene),
+        masks_from_(filter.masks),
+        names_(filter),
+        warnings_(warnings) {}
 
   MeshData read() {
     warnings_.insert(warnings_.end(), file_.warnings.begin(), file_.warnings.end());
@@ -128,6 +133,8 @@ class AssimpReader {
 
   /// In masks_; absent for what is solid.
   std::optional<uint32_t> mask_of(unsigned int material, const Primitive& primitive, bool has_uv) {
+    if (masks_from_ == MeshMasks::none) return {};
+    if (masks_from_ == MeshMasks::given) return has_uv ? std::optional(0u) : std::nullopt;
     const auto [known, is_new] = mask_of_material_.try_emplace(material);
     if (is_new) known->second = read_material(*scene_->mMaterials[material]);
     if (!known->second) return {};
@@ -180,6 +187,7 @@ class AssimpReader {
   const AssimpFile& file_;
   const std::filesystem::path& path_;
   const aiScene* scene_;
+  MeshMasks masks_from_;
   NameFilter names_;
   std::vector<std::string>& warnings_;
   std::map<const aiMesh*, std::vector<glm::dmat4>> places_;

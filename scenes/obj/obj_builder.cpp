@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <unordered_map>
 
@@ -163,9 +164,14 @@ void ObjBuilder::add_face(std::span<const ObjCorner> corners) {
     lines_.repairs().add(ObjRepair::equal_neighbours, lines_.line(), parts.equal_neighbours);
   if (parts.is_guess) lines_.repairs().add(ObjRepair::crossing_face, lines_.line());
   for (const auto& [a, b, c] : parts.triangles) {
-    if (has_holes_)
-      cutouts_.add(mesh_.triangles.size(), material_,
-                   {texture_point(corners[a]), texture_point(corners[b]), texture_point(corners[c])});
+    const auto uv = [&, a = a, b = b, c = c] {
+      return std::array{texture_point(corners[a]), texture_point(corners[b]), texture_point(corners[c])};
+    };
+    if (has_holes_) cutouts_.add(mesh_.triangles.size(), material_, uv());
+    if (filter_.masks == MeshMasks::given) {
+      mesh_.cutout_of_triangle.push_back(static_cast<uint32_t>(mesh_.cutouts.size()));
+      mesh_.cutouts.push_back({uv(), 0});
+    }
     add_triangle({positions[a], positions[b], positions[c]}, {normals[a], normals[b], normals[c]});
   }
 }

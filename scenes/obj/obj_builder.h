@@ -28,7 +28,9 @@ class ObjBuilder {
   void add_position(const glm::dvec3& p);
   void add_normal(const glm::dvec3& n);
   void add_texture_point(const glm::dvec2& uv);
-  void read_library(const std::string& name) { cutouts_.read_library(name, mesh_.triangles.size()); }
+  void read_library(const std::string& name) {
+    if (filter_.masks == MeshMasks::own) cutouts_.read_library(name, mesh_.triangles.size());
+  }
   void add_face(std::span<const ObjCorner> corners);
   void set_material(const std::string& name) { set_name(material_, name); }
   void set_group(const std::string& name) { set_name(group_, name); }

@@ -41,17 +41,38 @@ std::string in_other_unit(const TuneResult& result, const Parameter& parameter, 
 
 }  // namespace
 
-std::string preset_toml(const TunePlan& plan, const TuneResult& result) {
-  std::string text = fmt::format(
-      "# Made by umbrameter {} ({}): umbrameter validate ... --preset FILE. The [[preset]] may be pasted "
-      "into a manifest.\n"
-      "technique = \"{}\"\n\n[[preset]]\nname = \"tuned\"\ndoc = \"Tuned {}.\"\n[preset.values]\n",
-      kVersion, kCommit, plan.technique.id, summary(plan, result));
+namespace {
+
+/// [[preset]] with what was tuned and what else differs from the defaults; of one light unless `light` is empty.
+std::string preset_table(const TunePlan& plan, const TuneResult& result, const std::string& light) {
+  const std::string name = light.empty() ? "tuned" : "tuned for " + light;
+  std::string text = fmt::format("\n[[preset]]\nname = {}\n", toml_string(name));
+  if (!light.empty()) text += fmt::format("light = {}\n", toml_string(light));
+  text += fmt::format("doc = {}\n[preset.values]\n",
+                      toml_string(fmt::format("Tuned {}.", summary(plan, result))));
   for (const Parameter& parameter : plan.parameters) {
     const ParameterValue& value = result.best.values.at(parameter.name);
     if (is_tuned(result, parameter.name) || value != parameter.default_value)
       text += fmt::format("{} = {}\n", toml_key(parameter.name), toml_value(value));
   }
+  return text;
+}
+
+std::string preset_head(const TunePlan& plan, std::string_view more) {
+  return fmt::format(
+      "# Made by umbrameter {} ({}): umbrameter validate ... --preset FILE.{}\ntechnique = \"{}\"\n",
+      kVersion, kCommit, more, plan.technique.id);
+}
+
+}  // namespace
+
+std::string preset_toml(const TunePlan& plan, const TuneResult& result) {
+  return preset_head(plan, " The [[preset]] may be pasted into a manifest.") + preset_table(plan, result, {});
+}
+
+std::string preset_toml(std::span<const LightTuning> tunings) {
+  std::string text = preset_head(*tunings.front().plan, " Each light has its own values.");
+  for (const LightTuning& tuning : tunings) text += preset_table(*tuning.plan, *tuning.result, tuning.light);
   return text;
 }
 

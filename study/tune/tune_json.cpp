@@ -108,7 +108,9 @@ OrderedJson grid_json(const std::optional<GridCheck>& grid) {
 
 }  // namespace
 
-std::string to_json_text(const TunePlan& plan, const TuneResult& result) {
+namespace {
+
+OrderedJson tuning_json(const TunePlan& plan, const TuneResult& result) {
   OrderedJson others = OrderedJson::array(), sensitivities = OrderedJson::array();
   for (const Candidate& candidate : result.others) others.push_back(candidate_json(candidate));
   for (const Sensitivity& one : result.sensitivities) {
@@ -117,33 +119,55 @@ std::string to_json_text(const TunePlan& plan, const TuneResult& result) {
                              {"rise_above", optional_json(one.rise_above)},
                              {"relative_spread", one.relative_spread}});
   }
-  return dump({{"schema", 1},
-               {"version", kVersion},
-               {"commit", kCommit},
-               {"scenes", result.scenes},
-               {"technique", plan.technique.id},
-               {"hash", plan.technique.hash},
-               {"objective", name_of(plan.objective)},
-               {"unit", unit_of(plan.objective)},
-               {"width_px", plan.full.width_px},
-               {"height_px", plan.full.height_px},
-               {"seed", plan.seed},
-               {"device", result.device},
-               {"wall_time_s", result.wall_time_s},
-               {"tuned", result.tuned},
-               {"coarse_evaluations", result.coarse_evaluations},
-               {"evaluations", result.evaluations},
-               {"is_converged", result.is_converged},
-               {"best", candidate_json(result.best)},
-               {"others", others},
-               {"bias_sweep", windows_json(result, WindowKind::bias)},
-               {"light_size_sweep", windows_json(result, WindowKind::light_size)},
-               {"sensitivity", sensitivities},
-               {"grid", grid_json(result.grid)},
-               {"engine", engine_block(plan, result)},
-               {"coarse_trials", trials_json(result.coarse_trials, result.tuned)},
-               {"trials", trials_json(result.full_trials, result.tuned)},
-               {"notes", result.notes}});
+  return {{"schema", 1},
+          {"version", kVersion},
+          {"commit", kCommit},
+          {"scenes", result.scenes},
+          {"technique", plan.technique.id},
+          {"hash", plan.technique.hash},
+          {"objective", name_of(plan.objective)},
+          {"unit", unit_of(plan.objective)},
+          {"width_px", plan.full.width_px},
+          {"height_px", plan.full.height_px},
+          {"seed", plan.seed},
+          {"device", result.device},
+          {"wall_time_s", result.wall_time_s},
+          {"tuned", result.tuned},
+          {"coarse_evaluations", result.coarse_evaluations},
+          {"evaluations", result.evaluations},
+          {"is_converged", result.is_converged},
+          {"best", candidate_json(result.best)},
+          {"others", others},
+          {"bias_sweep", windows_json(result, WindowKind::bias)},
+          {"light_size_sweep", windows_json(result, WindowKind::light_size)},
+          {"sensitivity", sensitivities},
+          {"grid", grid_json(result.grid)},
+          {"engine", engine_block(plan, result)},
+          {"coarse_trials", trials_json(result.coarse_trials, result.tuned)},
+          {"trials", trials_json(result.full_trials, result.tuned)},
+          {"notes", result.notes}};
+}
+
+OrderedJson lit_sum_json(const LitSum& sum) {
+  return {{"scene", sum.scene},
+          {"pixels", sum.pixels},
+          {"lit_rmse_as_given", interval_json(sum.before)},
+          {"lit_rmse_tuned", interval_json(sum.after)},
+          {"outcome", name_of(sum.outcome)}};
+}
+
+}  // namespace
+
+std::string to_json_text(const TunePlan& plan, const TuneResult& result) {
+  return dump(tuning_json(plan, result));
+}
+
+std::string lights_json_text(std::span<const LightTuning> tunings, std::span<const LitSum> sums) {
+  OrderedJson lights = OrderedJson::array(), lit = OrderedJson::array();
+  for (const LightTuning& one : tunings)
+    lights.push_back({{"light", one.light}, {"tuning", tuning_json(*one.plan, *one.result)}});
+  for (const LitSum& sum : sums) lit.push_back(lit_sum_json(sum));
+  return dump({{"schema", 1}, {"lights", lights}, {"lit_sums", lit}});
 }
 
 }  // namespace umbrameter

@@ -2,12 +2,16 @@
 #pragma once
 // tune.json; its keys are described in docs/tuning.md.
 
-#include "study/tune/tune.h"
+#include "study/tune/lit_sum.h"
+#include "study/tune/tune_files.h"
 
+#include <span>
 #include <string>
 
 namespace umbrameter {
 
 std::string to_json_text(const TunePlan& plan, const TuneResult& result);
+/// Of several lights: each with its tuning, and the lit sum of each scene.
+std::string lights_json_text(std::span<const LightTuning> tunings, std::span<const LitSum> sums);
 
 }  // namespace umbrameter

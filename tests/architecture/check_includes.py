@@ -42,6 +42,7 @@ HOMES = {
     "OpenImageIO/": ("core/image_io.cpp", "cli/"),
     "tiny_obj_loader.h": ("scenes/",),
     "assimp/": ("scenes/assimp/",),
+    "pugixml.hpp": ("scenes/mitsuba/",),
     "CLI/": ("cli/",),
     "sqlite3.h": ("store/",),
     "pybind11/": ("python/",),

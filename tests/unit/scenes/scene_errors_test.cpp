@@ -199,7 +199,7 @@ TEST(SceneErrors, UnknownMeshFormat) {
   EXPECT_EQ(
       error_of_mesh("file = \"bunny.step\""),
       "x.toml:5:8: [[mesh]]: mesh file 'bunny.step' has an unknown format ('.obj', '.obj.zst', '.gltf', "
-      "'.glb', '.fbx', '.dae', '.ply' and '.stl' are read)");
+      "'.glb', '.fbx', '.dae', '.ply', '.stl', '.xml' and '.pbrt' are read)");
 }
 
 TEST(SceneErrors, MissingSceneFile) {
