@@ -17,7 +17,8 @@ namespace umbrameter {
 int import_scene(const std::string& name, const GlobalOptions& global) {
   namespace fs = std::filesystem;
   if (!is_importable(name))
-    fail_input(fmt::format("'{}' has an unknown format", name), {}, "'.gltf', '.glb', '.fbx', '.xml' (Mitsuba) and '.pbrt' are read");
+    fail_input(fmt::format("'{}' has an unknown format", name), {},
+               "'.gltf', '.glb', '.fbx', '.xml' (Mitsuba) and '.pbrt' are read");
   const fs::path file(name);
   const fs::path target = global.out.empty() ? "scene.toml" : global.out;
   if (target.extension() != ".toml")

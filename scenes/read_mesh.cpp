@@ -91,8 +91,9 @@ fs::path require_mesh_file(const TomlReader& reader, const std::string& name, co
                            const SceneSearch& search) {
   if (!has_ending(name, ".obj") && !has_ending(name, ".obj.zst") && !is_gltf(name) &&
       !is_read_by_assimp(name) && !is_foreign_scene(name)) {
-    reader.fail("file", fmt::format("mesh file '{}' has an unknown format", name),
-                "'.obj', '.obj.zst', '.gltf', '.glb', '.fbx', '.dae', '.ply', '.stl', '.xml' and '.pbrt' are read");
+    reader.fail(
+        "file", fmt::format("mesh file '{}' has an unknown format", name),
+        "'.obj', '.obj.zst', '.gltf', '.glb', '.fbx', '.dae', '.ply', '.stl', '.xml' and '.pbrt' are read");
   }
   if (const auto found = find_mesh_file(name, folder, search)) return *found;
   std::string places = fmt::format("'{}'", folder.empty() ? "." : folder.string());

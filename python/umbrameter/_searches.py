@@ -54,7 +54,7 @@ def tune(scenes: Union[str, Path, Iterable[Path]], technique: Path, *, out: Opti
          width: Optional[int] = None, height: Optional[int] = None, samples: Optional[int] = None, light: str = "",
          **further: Union[bool, int, float, str]) -> Tuning:
     """Searches the parameters of `technique` ("ID[:name=value,...]") that make `objective` (rmse, penumbra, faults) least on
-    all `scenes`. `parameters` names what to tune; default: whatever does not count work. With `out` a folder keeps preset,
+    all `scenes` under all their lights. `parameters` names what to tune; default: whatever does not count work. With `out` a folder keeps preset,
     record and truths. `further`: other options of the verb, such as no_coarse=True or grid=5."""
     names = [scenes] if isinstance(scenes, (str, os.PathLike)) else list(scenes)
     if not names:
@@ -64,7 +64,7 @@ def tune(scenes: Union[str, Path, Iterable[Path]], technique: Path, *, out: Opti
                       "light": light or None, **further})
     with tempfile.TemporaryDirectory(prefix="umbrameter-") as scratch:
         folder = pathlib.Path(out if out is not None else scratch)
-        record = command("tune", *names, "--technique", technique, *chosen, "--out", folder)
+        record = command("tune", *names, "--technique", technique, "--together", *chosen, "--out", folder)
         preset = (folder / f"{record['technique']}.toml").read_text()
     return Tuning(
         record=record,

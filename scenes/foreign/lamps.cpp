@@ -37,7 +37,8 @@ void add_lamp(const std::string& name, FoundLightKind kind, const dvec3& positio
     return;
   }
   const dvec3 ahead = glm::normalize(direction);
-  scene.lamps.push_back({name, kind, world_from_looking(position, ahead, default_tangent(ahead)), {}, {}, {}});
+  scene.lamps.push_back(
+      {name, kind, world_from_looking(position, ahead, default_tangent(ahead)), {}, {}, {}});
 }
 
 }  // namespace

@@ -7,7 +7,8 @@
 
 namespace umbrameter {
 
-MeshData load_mesh_of_file(const std::filesystem::path& file, MeshMasks masks, std::vector<std::string>& warnings) {
+MeshData load_mesh_of_file(const std::filesystem::path& file, MeshMasks masks,
+                           std::vector<std::string>& warnings) {
   const MeshFilter all{.include = {}, .exclude = {}, .masks = masks};
   if (has_ending(file.string(), ".ply")) return load_assimp_mesh(file, all, std::nullopt, warnings);
   return load_obj(file, all, warnings);

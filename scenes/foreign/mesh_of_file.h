@@ -12,6 +12,7 @@
 namespace umbrameter {
 
 /// An OBJ or a PLY file, without its own materials. Error{input} as load_obj() and load_assimp_mesh().
-MeshData load_mesh_of_file(const std::filesystem::path& file, MeshMasks masks, std::vector<std::string>& warnings);
+MeshData load_mesh_of_file(const std::filesystem::path& file, MeshMasks masks,
+                           std::vector<std::string>& warnings);
 
 }  // namespace umbrameter

@@ -3,8 +3,8 @@
 
 #include "scenes/file_ending.h"
 #include "scenes/foreign/area_lights.h"
-#include "scenes/foreign/round_shapes.h"
 #include "scenes/foreign/mesh_of_file.h"
+#include "scenes/foreign/round_shapes.h"
 #include "scenes/mitsuba/mitsuba_masks.h"
 #include "scenes/mitsuba/mitsuba_numbers.h"
 #include "scenes/mitsuba/mitsuba_views.h"
@@ -201,7 +201,8 @@ class MitsubaReader {
     const fs::path file = find_file(node.text("filename", ""), node);
     if (!has_ending(file.string(), "." + type) && !has_ending(file.string(), ".obj.zst"))
       fail_input(fmt::format("'{}' does not end in '.{}'", file.filename().string(), type), node.where);
-    const MeshData data = load_mesh_of_file(file, mask ? MeshMasks::given : MeshMasks::none, scene_.mesh_warnings);
+    const MeshData data =
+        load_mesh_of_file(file, mask ? MeshMasks::given : MeshMasks::none, scene_.mesh_warnings);
     scene_.side_files.insert(scene_.side_files.end(), data.side_files.begin(), data.side_files.end());
     Primitive mesh = primitive_of(data, mask);
     const bool is_flat = node.boolean("face_normals", false);

@@ -4,8 +4,8 @@
 #include "core/names.h"
 #include "scenes/file_ending.h"
 #include "scenes/foreign/area_lights.h"
-#include "scenes/foreign/round_shapes.h"
 #include "scenes/foreign/mesh_of_file.h"
+#include "scenes/foreign/round_shapes.h"
 #include "scenes/pbrt/pbrt_meshes.h"
 #include "scenes/read_mask.h"
 
@@ -108,7 +108,8 @@ std::optional<Primitive> PbrtShapes::read_ply(const PbrtParameters& parameters, 
   if (!has_ending(file.string(), ".ply"))
     fail_input(fmt::format("'{}' does not end in '.ply'", file.filename().string()), parameters.where(),
                has_ending(file.string(), ".gz") ? "unpack it first" : "");
-  const MeshData data = load_mesh_of_file(file, wants_uv ? MeshMasks::given : MeshMasks::none, scene_.mesh_warnings);
+  const MeshData data =
+      load_mesh_of_file(file, wants_uv ? MeshMasks::given : MeshMasks::none, scene_.mesh_warnings);
   return primitive_of(data, wants_uv ? std::optional(0u) : std::nullopt);
 }
 

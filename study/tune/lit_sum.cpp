@@ -24,8 +24,8 @@ std::vector<uint8_t> common_mask(std::span<const LitPart> parts) {
   for (size_t i = 0; i < mask.size(); ++i) {
     const auto is_dark = [i](const LitPart& part) { return irradiance_of(part)[i] == 0.0f; };
     const auto is_scored = [i](const LitPart& part) { return part.mask[i] != 0; };
-    const bool is_whole = std::ranges::all_of(
-        parts, [&](const LitPart& part) { return is_scored(part) || is_dark(part); });
+    const bool is_whole =
+        std::ranges::all_of(parts, [&](const LitPart& part) { return is_scored(part) || is_dark(part); });
     mask[i] = is_whole && std::ranges::any_of(parts, is_scored) ? 1 : 0;
   }
   return mask;

@@ -15,7 +15,7 @@ namespace umbrameter {
 /// One light's part of a picture. Images of one size.
 struct LitPart {
   const Image* truth = nullptr;
-  std::span<const uint8_t> mask;   // its scored pixels
+  std::span<const uint8_t> mask;  // its scored pixels
   const Image* before = nullptr;  // with the values as given
   const Image* after = nullptr;   // with the tuned ones
 };

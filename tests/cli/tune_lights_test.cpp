@@ -40,8 +40,9 @@ class GlLightTuning : public LightPresets {
 };
 
 TEST_F(GlLightTuning, EachLightHasItsOwnValuesWindowsAndPage) {
-  const std::vector<std::string> tune{"tune", "two.toml", "--technique", "hard:map_size=64", "--parameters", "bias_texels",
-                                      "--evaluations", "6", "--cameras", "1"};
+  const std::vector<std::string> tune{
+      "tune",        "two.toml",      "--technique", "hard:map_size=64", "--parameters",
+      "bias_texels", "--evaluations", "6",           "--cameras",        "1"};
   const ProcessResult tuned = tiny(tune);
   ASSERT_EQ(tuned.exit_code, 0) << tuned.err;
   const Json json = Json::parse(tuned.out);
@@ -51,7 +52,8 @@ TEST_F(GlLightTuning, EachLightHasItsOwnValuesWindowsAndPage) {
   EXPECT_GT(json["lit_sums"][0]["pixels"], 100);
   EXPECT_GT(json["lit_sums"][0]["lit_rmse_tuned"]["value"], 0.0);
   EXPECT_EQ(read_file(folder() / "tuned/lights.json"), tuned.out);
-  const ProcessResult validated = tiny({"validate", "two.toml", "--preset", "tuned/hard.toml", "--frames", "0"});
+  const ProcessResult validated =
+      tiny({"validate", "two.toml", "--preset", "tuned/hard.toml", "--frames", "0"});
   ASSERT_EQ(validated.exit_code, 0) << validated.err;
   const Json scenes = Json::parse(validated.out)["scenes"];
   for (size_t i = 0; i < 2; ++i) {
@@ -71,8 +73,9 @@ TEST_F(GlLightTuning, EachLightHasItsOwnValuesWindowsAndPage) {
 }
 
 TEST_F(GlLightTuning, OneLightOrOneSettingIsTunedAsBefore) {
-  const std::vector<std::string> tune{"tune", "two.toml", "--technique", "hard:map_size=64", "--parameters", "bias_texels",
-                                      "--evaluations", "4", "--cameras", "1"};
+  const std::vector<std::string> tune{
+      "tune",        "two.toml",      "--technique", "hard:map_size=64", "--parameters",
+      "bias_texels", "--evaluations", "4",           "--cameras",        "1"};
   std::vector<std::string> one = tune, together = tune;
   one.insert(one.end(), {"--light", "sky"});
   together.push_back("--together");
@@ -83,21 +86,24 @@ TEST_F(GlLightTuning, OneLightOrOneSettingIsTunedAsBefore) {
 
 TEST_F(GlLightTuning, VerbsTakeTheValuesOfTheLightTheyLookAt) {
   const auto bias_of = [&](const std::string& light) -> std::string {
-    const ProcessResult result = tiny({"render", "two.toml", "--technique", "hard", "--preset", "by_light.toml", "--light", light});
+    const ProcessResult result =
+        tiny({"render", "two.toml", "--technique", "hard", "--preset", "by_light.toml", "--light", light});
     EXPECT_EQ(result.exit_code, 0) << result.err;
     return result.exit_code == 0 ? Json::parse(result.out)["parameters"] : "";
   };
   EXPECT_THAT(bias_of("rect"), HasSubstr("bias_texels=0.5"));
   EXPECT_THAT(bias_of("sky"), HasSubstr("bias_texels=3"));
-  write("suite.toml", "schema = 1\ntitle = \"t\"\nscenes = [\"two.toml\"]\nwidth_px = 64\nheight_px = 36\n"
-                      "samples_per_pixel = 64\nmost_samples_per_pixel = 64\n"
-                      "[[run]]\nlabel = \"soft\"\ntechnique = \"hard\"\npreset = \"by_light.toml\"\n");
+  write("suite.toml",
+        "schema = 1\ntitle = \"t\"\nscenes = [\"two.toml\"]\nwidth_px = 64\nheight_px = 36\n"
+        "samples_per_pixel = 64\nmost_samples_per_pixel = 64\n"
+        "[[run]]\nlabel = \"soft\"\ntechnique = \"hard\"\npreset = \"by_light.toml\"\n");
   const ProcessResult recorded = umbrameter({"regress", "record", "suite.toml", "--baseline", "base"});
   ASSERT_EQ(recorded.exit_code, 0) << recorded.err;
   const std::string baseline = read_file(folder() / "base/suite.toml");
   EXPECT_THAT(baseline, HasSubstr("bias_texels=0.5"));
   EXPECT_THAT(baseline, HasSubstr("bias_texels=3"));
-  const ProcessResult checked = umbrameter({"regress", "check", "suite.toml", "--baseline", "base", "--json"});
+  const ProcessResult checked =
+      umbrameter({"regress", "check", "suite.toml", "--baseline", "base", "--json"});
   EXPECT_EQ(checked.exit_code, 0) << checked.err;
   EXPECT_EQ(Json::parse(checked.out)["fail"], 0);
 }
@@ -105,14 +111,18 @@ TEST_F(GlLightTuning, VerbsTakeTheValuesOfTheLightTheyLookAt) {
 TEST_F(LightPresets, FilesAreChecked) {
   const auto render = [&](const std::string& text) {
     write("preset.toml", text);
-    return umbrameter({"render", "two.toml", "--technique", "hard", "--light", "sky", "--preset", "preset.toml"});
+    return umbrameter(
+        {"render", "two.toml", "--technique", "hard", "--light", "sky", "--preset", "preset.toml"});
   };
-  const std::string head = "technique = \"hard\"\n[[preset]]\nname = \"a\"\n", values = "[preset.values]\nbias_texels = 1\n";
+  const std::string head = "technique = \"hard\"\n[[preset]]\nname = \"a\"\n",
+                    values = "[preset.values]\nbias_texels = 1\n";
   expect_bad_input(render(head + values + "[[preset]]\nname = \"b\"\n" + values),
                    "a preset file with several [[preset]] has one a light");
-  expect_bad_input(render(head + "light = \"rect\"\n" + values + "[[preset]]\nname = \"b\"\nlight = \"rect\"\n" + values),
-                   "two presets are for light 'rect'");
-  expect_bad_input(render(head + "light = \"rect\"\n" + values), "has no values for light 'sky' (it has them for: rect)");
+  expect_bad_input(
+      render(head + "light = \"rect\"\n" + values + "[[preset]]\nname = \"b\"\nlight = \"rect\"\n" + values),
+      "two presets are for light 'rect'");
+  expect_bad_input(render(head + "light = \"rect\"\n" + values),
+                   "has no values for light 'sky' (it has them for: rect)");
   expect_bad_input(umbrameter({"tune", "two.toml", "--technique", "hard:preset=by_light.toml"}),
                    "has values for single lights, which this command does not take");
 }
