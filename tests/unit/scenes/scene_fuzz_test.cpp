@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Without this: some damaged scene file could crash the program, hang it, or be taken for our own bug.
+#include "core/files.h"
+#include "core/image_io.h"
 #include "scene_text.h"
 #include "scenes/obj/load_obj.h"
+#include "tests/support/source_dir.h"
 #include "tests/support/temporary_folder.h"
 
 #include <cmath>
@@ -152,6 +155,37 @@ TEST(SceneFuzz, MutatedObjFilesLoadOrAreInputErrors) {
   }
   EXPECT_GT(outcome.accepted, 300);
   EXPECT_GT(outcome.rejected, 300);
+}
+
+/// The fuzz target's own example, with the files that it names; `name` ends as it does.
+void expect_scenes_or_input_errors(const std::string& name, unsigned seed) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "mesh.obj")
+      << "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n";
+  write_png(folder.path() / "mask.png", 1, 2, std::vector<uint8_t>{255, 255, 255, 0, 0, 0});
+  const std::string own = read_file(source_dir() / "fuzz/corpus" / name);
+  const std::filesystem::path file = folder.path() / std::filesystem::path(name).filename();
+  std::mt19937 random(seed);
+  Outcome outcome;
+  for (int i = 0; i < 1500 && !testing::Test::HasFailure(); ++i) {
+    const std::string text = mutated(own, random);
+    std::ofstream(file, std::ios::binary) << text;
+    count(outcome, text, [&] {
+      const Scene scene = load_scene(file, {});
+      EXPECT_FALSE(scene.lights.empty());
+      for (const glm::vec3& p : scene.positions_world) ASSERT_TRUE(std::isfinite(p.x + p.y + p.z)) << text;
+    });
+  }
+  EXPECT_GT(outcome.accepted, 100) << "the mutations must reach past the parser";
+  EXPECT_GT(outcome.rejected, 100);
+}
+
+TEST(SceneFuzz, MutatedMitsubaScenesLoadOrAreInputErrors) {
+  expect_scenes_or_input_errors("mitsuba/room.xml", 20240603);
+}
+
+TEST(SceneFuzz, MutatedPbrtScenesLoadOrAreInputErrors) {
+  expect_scenes_or_input_errors("pbrt/room.pbrt", 20240604);
 }
 
 }  // namespace
