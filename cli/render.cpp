@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/console.h"
 #include "cli/home.h"
+#include "cli/motion_option.h"
 #include "cli/progress_bar.h"
 #include "cli/quality.h"
 #include "cli/scene_options.h"
@@ -26,6 +27,7 @@ struct RenderOptions {
   std::vector<std::string> assignments;
   std::string preset;
   std::string dump;
+  std::string motion;
   bool no_skip = false;
   QualityOptions quality;
 };
@@ -35,7 +37,10 @@ void print_frame(const TimedRun& timed, const SceneJob& job, const TechniqueRun&
   const Frame& frame = timed.frame;
   const auto total = total_time(summarise(timed.times));
   if (!json) {
-    print_answer(fmt::format("{}: {} on {}, {}; {}; parameters {}\n", file, run.label, job.name,
+    const std::string before = frame.frames_before == 0
+                                   ? std::string()
+                                   : fmt::format(" after {} frames ({})", frame.frames_before, frame.motion);
+    print_answer(fmt::format("{}: {} on {}{}, {}; {}; parameters {}\n", file, run.label, job.name, before,
                              format_time(total), frame.device, to_text(frame.parameters)));
     return;
   }
@@ -48,6 +53,10 @@ void print_frame(const TimedRun& timed, const SceneJob& job, const TechniqueRun&
                                    {"timer", timed.timer},
                                    {"memory_bytes", frame.memory_bytes},
                                    {"left_out", frame.left_out}};
+  if (frame.frames_before > 0) {
+    answer["frames_before"] = frame.frames_before;
+    answer["motion"] = frame.motion;
+  }
   answer["total_ms"] = total ? nlohmann::ordered_json(total->median_ms) : nlohmann::ordered_json(nullptr);
   print_json(answer);
 }
@@ -86,8 +95,9 @@ int render(const RenderOptions& options, const GlobalOptions& global) {
   if (!options.preset.empty()) assignments.push_back("preset=" + options.preset);
   choose_technique_runs(options.technique, assignments,
                         home);  // what is wrong with it is said before a scene is loaded
-  const SceneJob job = load_scene_job(options.scene, scene_search(global, home));
+  SceneJob job = load_scene_job(options.scene, scene_search(global, home));
   const TechniqueRun run = choose_technique(options.technique, assignments, home, job.scene.light().name);
+  if (!options.motion.empty()) job.scene.motion = standard_motion(options.motion, job.scene);
   const LightType light = job.scene.light().type;
   if (std::find(run.lights.begin(), run.lights.end(), light) == run.lights.end()) {
     fail_input(fmt::format("technique '{}' does not support the {} light of scene '{}'", run.id,
@@ -129,6 +139,7 @@ void add_render(CLI::App& app, CommandLine& line) {
   verb->add_flag("--no-skip", options->no_skip,
                  "draw triangles that cannot reach the light's map, too; same picture");
   add_one_view_options(*verb, line.global);
+  add_motion_option(*verb, options->motion);
   verb->add_option(
       "--dump", options->dump,
       "write this texture of the technique's instead: RESOURCE[:LAYER[:LEVEL]] (default resource.exr)");

@@ -3,6 +3,7 @@
 #include "cli/home.h"
 #include "cli/interruption.h"
 #include "cli/late_realtime.h"
+#include "cli/motion_option.h"
 #include "cli/page_memory.h"
 #include "cli/positive_number.h"
 #include "cli/preset_file.h"
@@ -42,6 +43,7 @@ struct ValidateOptions {
   std::optional<double> limit_rmse;
   double min_scored = kMinScored;
   std::string causes = "auto";
+  std::string motion;
   bool temporal = false;
   bool maps = false;
   bool no_reuse = false;
@@ -145,6 +147,7 @@ ValidationPlan make_plan(const Quality& quality, std::vector<TechniqueRun> techn
   plan.baseline = options.baseline;
   plan.limit_rmse = options.limit_rmse;
   plan.maps = options.maps;
+  plan.motion = options.motion;
   plan.causes = choose_causes(options.causes);
   plan.skip = !options.no_skip;
   return plan;
@@ -297,6 +300,7 @@ void add_validate(CLI::App& app, CommandLine& line) {
   verb->add_option("--frames", options->frames,
                    "timed frames per technique, instead of the quality's; 0 times nothing")
       ->check(CLI::Range(0, 10000));
+  add_motion_option(*verb, options->motion);
   verb->add_flag("--temporal", options->temporal,
                  "also measure flicker under a moving camera and light, and the noise of seeds");
   verb->add_flag("--no-reuse", options->no_reuse, "render and score again what the store in --out knows");

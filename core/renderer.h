@@ -44,6 +44,8 @@ struct Frame {
   double wall_time_s = 0.0;
   std::vector<std::string> warnings;
   std::vector<std::string> left_out;  // passes and textures that these parameters do not need
+  int frames_before = 0;              // drawn first, whose history the image holds
+  std::string motion;                 // of those (scenes/motion.h); empty without
 };
 
 /// A request kept ready to be drawn again, so that the frames of several can be timed in turn.

@@ -51,6 +51,10 @@ std::string run_key(const std::string& reference, const TechniqueRun& run, uint6
   return hasher.hex();
 }
 
+std::string moved_run_key(const std::string& run, const std::string& motion) {
+  return motion.empty() ? run : Hasher().text("moved").text(run).text(motion).hex();
+}
+
 std::string parity_key(const std::string& reference, const Makers& makers) {
   Hasher hasher;
   hasher.text("parity").text(kRealtimeCodeHash).text(kScoringCodeHash).text(reference);

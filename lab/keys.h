@@ -34,6 +34,9 @@ std::string run_key(const std::string& reference, const TechniqueRun& run, uint6
 /// Of the G-buffer compared with the truth of `reference`.
 std::string parity_key(const std::string& reference, const Makers& makers);
 
+/// Of a run_key()'s run under a motion other than the scene's (ValidationPlan::motion); `run` itself without one.
+std::string moved_run_key(const std::string& run, const std::string& motion);
+
 /// Of a run_key()'s run with what `plan` wants beside its numbers: times, sequences, a limit.
 std::string validated_run_key(const std::string& run, const ValidationPlan& plan);
 

@@ -23,6 +23,8 @@ void take_frame(const Frame& frame, TechniqueResult& result) {
   result.wall_time_s = frame.wall_time_s;
   result.warnings = frame.warnings;
   result.left_out = frame.left_out;
+  result.frames_before = frame.frames_before;
+  result.motion = frame.motion;
 }
 
 void take_times(const TimedRun& run, TechniqueResult& result) {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Sequences for the temporal metrics: the camera or the light moves by irrational steps, so that no texel snaps
-// onto itself, or the seed changes. Not here: the metrics (metrics/temporal.h).
+// Sequences for the temporal metrics: the camera or the light moves, or the seed changes. Not here: the metrics
+// (metrics/temporal.h) and the steps (scenes/motion.h).
 
 #include "metrics/temporal.h"
 #include "results/results.h"
 #include "scenes/scene.h"
 
-#include <optional>
+#include <string_view>
 #include <vector>
 
 namespace umbrameter {
@@ -15,27 +15,14 @@ namespace umbrameter {
 struct SceneContext;    // lab/scene_run.h
 struct TechniqueFrame;  // lab/scene_run.h
 
-enum class Motion { camera, light };
-
-/// What differs from frame to frame.
-struct Moment {
-  Camera camera;
-  Light light;
-};
-
-/// The moments of a scene with their truth; frame 0 is the scene itself.
+/// A motion (scenes/motion.h) forward from the scene, which is frame 0, with the truth of each frame.
 struct Sequence {
-  std::vector<Moment> moments;
+  std::vector<Scene> scenes;
   std::vector<Image> references;  // only the channels that the metrics need
 };
 
-/// Step `k` of a sequence of pictures `height_px` high: the camera moves 3.6 px aside and 1.4 px up
-/// a step, measured at what it looks at; a light 0.6 % of its distance from there along its tangent, the sun
-/// 0.35 degrees.
-Moment moment_of(const Scene& scene, Motion motion, int k, int height_px);
-
-/// Renders the truth of the plan's temporal_frames; `reference` is that of frame 0.
-Sequence render_sequence(const SceneContext& context, Motion motion, const Image& reference);
+/// Renders the truth of the plan's temporal_frames of standard_motion() `motion`; `reference` is that of frame 0.
+Sequence render_sequence(const SceneContext& context, std::string_view motion, const Image& reference);
 
 /// Renders the run in both sequences and with three seeds, and sets its `temporal`, or warns why not.
 void measure_temporal(const SceneContext& context, const Sequence& camera, const Sequence& light,

@@ -3,6 +3,7 @@
 
 #include "core/files.h"
 #include "core/version.h"
+#include "lab/history.h"
 #include "lab/renamed_progress.h"
 #include "lab/run_causes.h"
 #include "lab/scene_run.h"
@@ -53,13 +54,27 @@ void measure_sequences(const SceneContext& context, const Image& reference, std:
                        const RunDone& run_done) {
   const auto is_wanted = [](const TechniqueFrame& run) { return is_missing(run) && run.result.error; };
   if (std::ranges::none_of(runs, is_wanted)) return;
-  const Sequence camera = render_sequence(context, Motion::camera, reference);
-  const Sequence light = render_sequence(context, Motion::light, reference);
+  const Sequence camera = render_sequence(context, "pan", reference);
+  const Sequence light = render_sequence(context, "light", reference);
   for (TechniqueFrame& run : runs) {
     if (!is_wanted(run)) continue;
     measure_temporal(context, camera, light, run);
     run_done(run);
   }
+}
+
+void measure_histories(const SceneContext& context, const Image& reference,
+                       std::vector<TechniqueFrame>& runs) {
+  for (TechniqueFrame& run : runs) {
+    if (!run.result.is_reused && run.result.error) measure_history(context, reference, run);
+  }
+}
+
+std::shared_ptr<const Scene> in_motion(const std::shared_ptr<const Scene>& scene, const std::string& motion) {
+  if (motion.empty()) return scene;
+  auto moved = std::make_shared<Scene>(*scene);
+  moved->motion = standard_motion(motion, *scene);
+  return moved;
 }
 
 void skip_unlit(const SceneWork& work, std::vector<TechniqueFrame>& runs, std::vector<Skip>& skipped) {
@@ -121,7 +136,7 @@ void remember_verdicts(const SceneWork& work, std::vector<TechniqueFrame>& runs)
 /// Renders and scores what is not known yet.
 void measure(const SceneWork& work, SceneResult& scene, std::vector<TechniqueFrame>& runs,
              std::vector<Skip>& skipped) {
-  const auto loaded = work.source.load();
+  const auto loaded = in_motion(work.source.load(), work.plan.motion);
   const SceneContext context{scene.name, *loaded, work.plan, work.renderers, work.folder, work.progress};
   // Real time first: a shader that does not compile is found before the long wait for the reference.
   Frame surfaces;
@@ -149,12 +164,14 @@ void measure(const SceneWork& work, SceneResult& scene, std::vector<TechniqueFra
     if (work.memory != nullptr) work.memory->remember_run(work.source, work.plan, work.folder, scene, run);
   };
   if (scene.parity && scene.parity->passes) {
-    score_techniques(context, reference, runs, has_sequences ? [](TechniqueFrame&) {} : keep);
+    const bool is_complete = !has_sequences && work.plan.motion.empty();  // with its score
+    score_techniques(context, reference, runs, is_complete ? keep : [](TechniqueFrame&) {});
     draw_swept(context, reference, runs);
   }
   if (work.memory != nullptr) recall_verdicts(work, runs);
   compare_with_baseline(context, reference, runs);
   if (work.memory != nullptr) remember_verdicts(work, runs);
+  if (!work.plan.motion.empty()) measure_histories(context, reference, runs);
   if (has_sequences) measure_sequences(context, reference, runs, keep);
   std::ranges::for_each(runs, keep);
   if (work.memory != nullptr) recall_causes(work, runs);

@@ -47,6 +47,7 @@ struct ValidationPlan {
   int timed_frames = 9;          // wanted; fewer when they would exceed the budget, never fewer than 1
   double timing_budget_s = 3.0;  // a technique and scene
   int temporal_frames = 0;       // of each sequence; 0 leaves them out
+  std::string motion;            // of standard_motion(), instead of the scene's; empty: its own
   std::vector<TechniqueRun> techniques;
   MetricChoice metrics;
   /// Label of the technique that verdicts compare with; empty: `hard` where it has a result, else a scene's first that has.

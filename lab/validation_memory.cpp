@@ -100,6 +100,11 @@ bool is_final(const TechniqueResult& run) {
   return !run.failure || run.failure->kind == ErrorKind::input;
 }
 
+std::string key_of(const std::string& reference, const TechniqueFrame& run, const ValidationPlan& plan,
+                   const Makers& makers) {
+  return moved_run_key(run_key(reference, run.technique, plan.picture.seed, plan.metrics, makers), plan.motion);
+}
+
 }  // namespace
 
 std::optional<std::string> ValidationMemory::find(const std::string& key) {
@@ -115,7 +120,7 @@ void ValidationMemory::recall(const SceneSource& source, const ValidationPlan& p
   const std::string reference = reference_of(source, plan);
   kept_.clear();
   for (TechniqueFrame& run : runs) {
-    const std::string key = run_key(reference, run.technique, plan.picture.seed, plan.metrics, makers_);
+    const std::string key = key_of(reference, run, plan, makers_);
     run.key = validated_run_key(key, plan);
     const auto json = find(run.key);
     auto record = json ? parse_run_record(*json) : std::nullopt;
@@ -179,8 +184,7 @@ void ValidationMemory::remember_run(const SceneSource& source, const ValidationP
   record.result.judgement.verdict.reset();
   record.result.fault_causes.reset();  // the same
   store_.store().put({run.key, EntryKind::run, to_json_text(record)});
-  note_validated(store_.store(), run_key(reference, run.technique, plan.picture.seed, plan.metrics, makers_),
-                 run.key);
+  note_validated(store_.store(), key_of(reference, run, plan, makers_), run.key);
 }
 
 bool ValidationMemory::recall_verdict(const TechniqueFrame& baseline, TechniqueFrame& run) {

@@ -6,6 +6,7 @@
 #include "realtime/executor/blocker_truth.h"
 #include "realtime/executor/check_visibility.h"
 #include "realtime/executor/execute.h"
+#include "realtime/executor/history.h"
 #include "realtime/executor/inspect_plan.h"
 #include "realtime/executor/kept_textures.h"
 #include "realtime/executor/left_out.h"
@@ -74,6 +75,9 @@ struct GlRun {
   std::optional<RunContents> contents;  // of a run whose textures may come from others and serve others
   std::shared_ptr<const SceneOnGpu> scene;
   std::shared_ptr<const Picture> picture;
+  int frames_before = 0;                            // drawn before the one that counts
+  std::string motion;                               // that they show; empty without history
+  std::shared_ptr<const Picture> previous_picture;  // of the last of those
   Plan plan;
   std::vector<std::string> left_out;
   std::optional<PassTimers> timers;
@@ -82,6 +86,25 @@ struct GlRun {
 
 /// What a run is made for: all that is timed or looked into is drawn.
 enum class Use { rendered, timed, inspected };
+
+/// A frame of a run, and what its plan points into.
+struct GlFrame {
+  Scene scene;
+  std::shared_ptr<const SceneOnGpu> on_gpu;
+  std::shared_ptr<const Picture> picture;
+  std::shared_ptr<const Picture> previous_picture;
+  Plan plan;
+  RunContents contents;
+};
+
+int count_frames_before(const Technique& technique, const ParameterValues& parameters, const Scene& scene) {
+  if (!technique.has_history()) return 0;
+  if (scene.motion.frames_before) return *scene.motion.frames_before;
+  constexpr int64_t kMost = 1024;
+  return static_cast<int>(whole_number(technique.frames_before,
+                                       parameter_variables(technique.parameters, parameters), 0, kMost,
+                                       "frames_before"));
+}
 
 void require_support(const Technique& technique, const Light& light) {
   if (technique.supports(light.type)) return;
@@ -120,8 +143,9 @@ class GlRenderer final : public Renderer {
     const std::optional<LocalScene> local = local_scene(scene);
     check_request(request);
     context_.make_current();
-    const auto run = make_run(local ? local->scene : scene, request, Use::inspected);
-    draw_first(*run, progress);
+    const Scene& drawn = local ? local->scene : scene;
+    const auto run = make_run(drawn, request, Use::inspected);
+    draw_first(*run, drawn, request, progress);
     run->plan.targets->allocate(part.resource);  // which no pass may have drawn into
     return read_layer(find_part(run->technique, *run->plan.targets, part), part.layer, part.level);
   }
@@ -171,7 +195,7 @@ class GlRenderer final : public Renderer {
       prepared.frame.image = picture_of(scene, request)->image;
     } else {
       const auto run = make_run(scene, request, is_timed ? Use::timed : Use::rendered);
-      draw_first(*run, progress);
+      draw_first(*run, scene, request, progress);
       describe(*run, prepared.frame);
       if (is_timed) keep_timing(run, prepared);
     }
@@ -188,15 +212,19 @@ class GlRenderer final : public Renderer {
     }
   }
 
-  std::shared_ptr<const SceneOnGpu> scene_on_gpu(const Scene& scene) {
-    const std::string key = geometry_key(scene);
-    if (auto known = scenes_.find(key)) return known;
-    scenes_.make_room(gpu_bytes(scene));
-    auto made = std::make_shared<const SceneOnGpu>(
+  std::shared_ptr<const SceneOnGpu> upload(const Scene& scene) const {
+    return std::make_shared<const SceneOnGpu>(
         SceneOnGpu{SceneBuffers(scene),
                    settings_.cull_casters && scene.cutouts.empty() ? make_caster_clusters(scene)
                                                                    : std::vector<CasterCluster>{},
                    settings_.cull_casters ? make_instance_boxes(scene) : std::vector<InstanceBox>{}});
+  }
+
+  std::shared_ptr<const SceneOnGpu> scene_on_gpu(const Scene& scene) {
+    const std::string key = geometry_key(scene);
+    if (auto known = scenes_.find(key)) return known;
+    scenes_.make_room(gpu_bytes(scene));
+    auto made = upload(scene);
     scenes_.keep(key, made, gpu_bytes(scene));
     return made;
   }
@@ -206,7 +234,14 @@ class GlRenderer final : public Renderer {
     if (auto known = pictures_.find(key)) return known;
     const size_t pixels = static_cast<size_t>(request.width_px) * static_cast<size_t>(request.height_px);
     pictures_.make_room(pixels * kPictureBytesPerPixel);
-    const std::shared_ptr<const SceneOnGpu> on_gpu = scene_on_gpu(scene);
+    auto picture = draw_picture(scene, scene_on_gpu(scene), request);
+    pictures_.keep(key, picture, pixels * kPictureBytesPerPixel);
+    return picture;
+  }
+
+  std::shared_ptr<const Picture> draw_picture(const Scene& scene,
+                                              const std::shared_ptr<const SceneOnGpu>& on_gpu,
+                                              const RenderRequest& request) {
     auto picture = std::make_shared<Picture>(Picture{GBuffer(request.width_px, request.height_px),
                                                      Image(request.width_px, request.height_px),
                                                      {},
@@ -218,7 +253,6 @@ class GlRenderer final : public Renderer {
     picture->receivers = receiver_tiles(picture->image);
     picture->receiver_range = receiver_range(picture->image, scene.camera);
     picture->receiver_plane_world = receiver_plane(picture->image);
-    pictures_.keep(key, picture, pixels * kPictureBytesPerPixel);
     return picture;
   }
 
@@ -231,45 +265,107 @@ class GlRenderer final : public Renderer {
     auto run = std::make_shared<GlRun>(context_, with_stages(declared, parameters), parameters);
     run->scene = scene_on_gpu(scene);
     run->picture = picture_of(scene, request);
-    const Picture& picture = *run->picture;
-    const RunInputs inputs{run->technique,
-                           run->parameters,
-                           scene,
-                           run->scene->buffers,
-                           picture.gbuffer,
-                           picture.receivers,
-                           run->scene->casters,
-                           run->scene->instance_boxes,
-                           picture.image,
-                           picture.receiver_range,
-                           picture.receiver_plane_world,
-                           request.seed,
-                           settings_.shaders_folder,
-                           request.blocker_truth != nullptr};
+    run->frames_before = count_frames_before(declared, parameters, scene);
+    const bool is_first = run->frames_before == 0;
+    if (declared.has_history()) run->motion = scene.motion.name;
+    const Scene before = scene_at(scene, is_first ? 0 : -1, request.height_px);
+    if (!is_first) run->previous_picture = picture_in(before, scene, request);
+    const RunInputs inputs =
+        inputs_of(*run, scene, *run->scene, *run->picture, request, run->frames_before,
+                  is_first ? nullptr : &before.camera, run->previous_picture.get());
     if (request.blocker_truth != nullptr)
       run->blocker_truth = upload_blocker_truth(*request.blocker_truth, request.width_px, request.height_px);
     run->plan = make_plan(inputs, programs_);
     if (run->blocker_truth) require_blocker_search(run->plan, declared.id);
     run->left_out = left_out(inputs, run->plan);
-    if (use == Use::rendered && settings_.keep_textures) {
+    if (use == Use::rendered && settings_.keep_textures)
       run->contents = find_contents(run->plan, inputs, picture_key(scene, request));
-      textures_.give(*run->contents, run->plan);
-    }
-    if (use == Use::timed) textures_.forget();
-    attach(run->plan);
     if (use != Use::timed) return run;
+    textures_.forget();
     if (!timer_) timer_ = choose_timer();
     run->timers.emplace(*timer_, run->plan.labels.size());
     return run;
   }
 
+  RunInputs inputs_of(const GlRun& run, const Scene& scene, const SceneOnGpu& on_gpu, const Picture& picture,
+                      const RenderRequest& request, int frame, const Camera* previous_camera,
+                      const Picture* previous) const {
+    return {run.technique,
+            run.parameters,
+            scene,
+            on_gpu.buffers,
+            picture.gbuffer,
+            picture.receivers,
+            on_gpu.casters,
+            on_gpu.instance_boxes,
+            picture.image,
+            picture.receiver_range,
+            picture.receiver_plane_world,
+            request.seed,
+            settings_.shaders_folder,
+            request.blocker_truth != nullptr,
+            frame,
+            previous_camera,
+            previous == nullptr ? nullptr : &previous->gbuffer};
+  }
+
+  /// Pictures of frames before are kept only where nothing moves: nobody asks for the others again.
+  std::shared_ptr<const Picture> picture_in(const Scene& before, const Scene& scene,
+                                            const RenderRequest& request) {
+    if (picture_key(before, request) == picture_key(scene, request)) return picture_of(scene, request);
+    return draw_picture(before, on_gpu_in(before, scene), request);
+  }
+
+  std::shared_ptr<const SceneOnGpu> on_gpu_in(const Scene& before, const Scene& scene) {
+    return geometry_key(before) == geometry_key(scene) ? scene_on_gpu(scene) : upload(before);
+  }
+
+  /// Draws the frames before the one that counts, each with what the one before it left; null for none.
+  std::unique_ptr<GlFrame> draw_before(const GlRun& run, const Scene& scene, const RenderRequest& request,
+                                       Progress& progress) {
+    if (request.blocker_truth != nullptr && run.frames_before > 0 && scene.motion.name != Motion{}.name)
+      fail_input(fmt::format("technique '{}' needs the truth's blockers of frames before", run.technique.id),
+                 {}, "they are known of the last frame: only where nothing moves");
+    std::unique_ptr<GlFrame> earlier;
+    for (int frame = 0; frame < run.frames_before; ++frame) {
+      auto next = std::make_unique<GlFrame>(
+          GlFrame{scene_at(scene, frame - run.frames_before, request.height_px), {}, {}, {}, {}, {}});
+      next->on_gpu = on_gpu_in(next->scene, scene);
+      next->picture = picture_in(next->scene, scene, request);
+      if (earlier) next->previous_picture = earlier->picture;
+      const RunInputs inputs =
+          inputs_of(run, next->scene, *next->on_gpu, *next->picture, request, frame,
+                    earlier ? &earlier->scene.camera : nullptr, next->previous_picture.get());
+      next->plan = make_plan(inputs, programs_);
+      next->contents = find_contents(next->plan, inputs, picture_key(next->scene, request));
+      if (earlier) {
+        hand_over(run.technique, earlier->plan, next->plan);
+        keep_unchanged(earlier->contents, next->contents, next->plan);
+      }
+      attach(next->plan);
+      if (!earlier) clear_previous(run.technique, next->plan);
+      draw_frame(next->plan, next->on_gpu->buffers, empty_vertex_array_, {.is_first = frame == 0});
+      check_gl_errors("a frame before");
+      progress.advance(1);
+      earlier = std::move(next);
+    }
+    return earlier;
+  }
+
   /// Checks for GL errors, and fills the pool of queries.
-  void draw_first(GlRun& run, Progress& progress) {
-    progress.begin(run.technique.id, run.plan.steps.size());
-    if (run.timers) run.timers->begin_frame();
+  void draw_first(GlRun& run, const Scene& scene, const RenderRequest& request, Progress& progress) {
+    progress.begin(run.technique.id, run.plan.steps.size() + static_cast<size_t>(run.frames_before));
     if (run.blocker_truth) bind_texture(kBlockerTruthUnit, *run.blocker_truth, nearest_);
+    if (const auto earlier = draw_before(run, scene, request, progress))
+      hand_over(run.technique, earlier->plan, run.plan);
+    if (run.contents) textures_.give(*run.contents, run.plan);
+    attach(run.plan);
+    if (run.frames_before == 0) clear_previous(run.technique, run.plan);
+    if (run.timers) run.timers->begin_frame();
     draw_frame(run.plan, run.scene->buffers, empty_vertex_array_,
-               {.timers = run.timers ? &*run.timers : nullptr, .progress = &progress});
+               {.timers = run.timers ? &*run.timers : nullptr,
+                .is_first = run.frames_before == 0,
+                .progress = &progress});
     if (run.timers) run.timers->end_frame();
     if (run.contents) textures_.take(*run.contents, run.plan);
     progress.end();
@@ -295,6 +391,8 @@ class GlRenderer final : public Renderer {
     frame.memory_bytes = run.plan.targets->declared_bytes();
     frame.warnings = run.plan.warnings;
     frame.left_out = run.left_out;
+    frame.frames_before = run.frames_before;
+    frame.motion = run.motion;
     read_visibility(run.plan, run.technique, frame);
   }
 

@@ -4,6 +4,7 @@
 // docs/metrics.md go through these rows: a new metric is a pair of files that measures it, and a row.
 
 #include "core/image.h"
+#include "metrics/history.h"
 #include "results/diagnosis_format.h"
 #include "results/results.h"
 
@@ -39,6 +40,9 @@ struct MetricInputs {
   const Image& test;
   const Image& reference;
   std::span<const uint8_t> mask;
+  // Of a technique with history (lab/history.h); none of others.
+  const Image* still = nullptr;                        // where something moved: the picture if nothing had
+  std::span<const StillPicture> still_pictures = {};  // after ever more frames
 };
 
 struct Metric {

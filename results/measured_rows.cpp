@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "results/measured_rows.h"
 
+#include "metrics/history.h"
 #include "metrics/map_seam.h"
 #include "metrics/worst_pixels.h"
 
@@ -23,6 +24,31 @@ std::vector<Metric> measured_rows() {
        .better = Better::nearest_zero,
        .form = MetricForm::signed_error,
        .measure = [](const MetricInputs& in) { return measure_map_seam(in.test, in.reference, in.mask); }},
+      {.key = "ghosting",
+       .label = "ghosting",
+       .group = "over time",
+       .unit = "visibility",
+       .doc = "root mean square of V - R that the motion of earlier frames leaves in the last, beyond that of the "
+              "same frame where nothing moved",
+       .better = Better::nearest_zero,
+       .form = MetricForm::signed_error,
+       .measure =
+           [](const MetricInputs& in) {
+             return in.still == nullptr ? std::nullopt
+                                        : measure_ghosting(in.test, *in.still, in.reference, in.mask);
+           }},
+      {.key = "convergence_frames",
+       .label = "frames to converge",
+       .group = "over time",
+       .unit = "frames",
+       .doc = "frames of a still scene after which nine tenths of the error that frames mend is mended",
+       .form = MetricForm::number,
+       .measure =
+           [](const MetricInputs& in) {
+             return in.still_pictures.empty()
+                        ? std::nullopt
+                        : measure_convergence(in.still_pictures, in.reference, in.mask);
+           }},
   };
   for (Metric& row : rows) {
     row.of = [key = row.key](const TechniqueResult& run) -> std::optional<double> {

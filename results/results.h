@@ -110,6 +110,8 @@ struct TechniqueResult : Measures {
   double wall_time_s = 0.0;
   std::vector<std::string> warnings;
   std::vector<std::string> left_out;  // passes and textures that the parameters do not need
+  int frames_before = 0;              // drawn first, whose history the picture holds
+  std::string motion;                 // of those (scenes/motion.h); empty without
   std::string measured_at;            // UTC
   bool is_reused = false;             // taken from the store by this process; not written
   std::string image_file;

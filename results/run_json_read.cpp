@@ -122,6 +122,8 @@ TechniqueResult read_technique(const nlohmann::json& json) {
   run.wall_time_s = json.at("wall_time_s");
   run.warnings = json.at("warnings").get<std::vector<std::string>>();
   run.left_out = json.at("left_out").get<std::vector<std::string>>();
+  run.frames_before = json.value("frames_before", 0);
+  run.motion = json.value("motion", "");
   run.measured_at = json.at("measured_at");
   run.image_file = json.at("image_file");
   run.picture_file = json.at("picture_file");

@@ -97,6 +97,10 @@ OrderedJson technique_json(const TechniqueResult& run) {
                    {"picture_file", run.picture_file},
                    {"error_picture_file", run.error_picture_file},
                    {"fault_picture_file", run.fault_picture_file}};
+  if (run.frames_before > 0) {
+    json["frames_before"] = run.frames_before;
+    json["motion"] = run.motion;
+  }
   add_judgement(run.judgement, json);
   add_diagnosis(run.diagnosis, json);
   if (run.fault_causes) json["fault_causes"] = fault_causes_json(run.fault_causes);

@@ -7,6 +7,7 @@
 #include "scenes/read_camera.h"
 #include "scenes/read_light.h"
 #include "scenes/read_mesh.h"
+#include "scenes/read_motion.h"
 #include "scenes/rounding.h"
 #include "scenes/scene_hash.h"
 #include "scenes/seen_from.h"
@@ -69,6 +70,7 @@ Scene parse_scene(std::string_view document, const std::filesystem::path& file, 
   scene.camera = read_camera(reader.require("camera"));
   scene.lights = read_lights(reader);
   reader.has("mesh");  // a known key
+  const TomlNode* motion = reader.find("motion");
   reader.finish();     // unknown keys are reported before large files are read
   const std::vector<const TomlNode*> tables = reader.tables("mesh");
   if (tables.empty()) reader.fail("mesh", "there is no mesh", "add a [[mesh]] table");
@@ -79,6 +81,7 @@ Scene parse_scene(std::string_view document, const std::filesystem::path& file, 
   if (search.at && scene.animated.empty()) fail_not_animated(file, search.at->time_s);
   merge_meshes(meshes, scene);
   if (scene.camera.near_world == 0.0) scene.camera.near_world = derived_near(scene);
+  if (motion != nullptr) scene.motion = read_motion(*motion, scene);
   if (auto warning = rounding_warning(scene)) scene.warnings.push_back(std::move(*warning));
   for (std::string& warning : narrow_light_warnings(scene)) scene.warnings.push_back(std::move(warning));
   for (std::string& warning : find_enclosed_lights(scene)) scene.warnings.push_back(std::move(warning));

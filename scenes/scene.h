@@ -8,6 +8,7 @@
 #include "scenes/animation_time.h"
 #include "scenes/cutouts.h"
 #include "scenes/light.h"
+#include "scenes/motion.h"
 #include "scenes/shared_list.h"
 
 #include <glm/mat4x4.hpp>
@@ -54,6 +55,7 @@ struct Scene {
   Camera camera;
   std::vector<Light> lights;  // at least one; commands use `active_light`
   size_t active_light = 0;
+  Motion motion;  // that led to the picture
 
   SharedList<glm::vec3> positions_world;
   SharedList<glm::vec3> normals_world;  // per vertex, unit shading normals; empty = flat shading everywhere

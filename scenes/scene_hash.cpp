@@ -29,6 +29,16 @@ void hash_holes(Hasher& hasher, std::span<const Cutout> cutouts, std::span<const
     hasher.number(mask.width).number(mask.height).values(std::span<const uint32_t>(mask.bits));
 }
 
+/// Nothing for a scene that stands still.
+void hash_motion(Hasher& hasher, const Motion& motion) {
+  const Motion still;
+  if (motion.name == still.name) return;
+  hasher.text(motion.name).number(motion.camera_step_px.x).number(motion.camera_step_px.y);
+  for (const glm::dvec3& step : {motion.camera_step_world, motion.light_step_world, motion.object_step_world})
+    hash_vector(hasher, step);
+  hasher.number(motion.is_cut ? 1.0 : 0.0).number(motion.sun_step_rad).text(motion.object);
+}
+
 }  // namespace
 
 void hash_cutouts(Hasher& hasher, const Scene& scene) {
@@ -62,6 +72,7 @@ std::string hash_scene(const Scene& scene) {
   hasher.values(std::span<const glm::uvec3>(scene.triangles));
   hash_cutouts(hasher, scene);
   hash_instances(hasher, scene);
+  hash_motion(hasher, scene.motion);
   return hasher.hex();
 }
 

@@ -94,6 +94,10 @@ class Contents {
       hash_parameters(hasher, *program);
     }
     hash_range(hasher, plan_.frame_uniforms.front());
+    for (const auto& program : {pass.program, pass.cutout_program}) {
+      if (program != nullptr && plan_.history_uniforms && program->reads_uniform("history"))
+        hash_range(hasher, *plan_.history_uniforms);
+    }
     for (const UniformRange& range : step.uniforms) hash_range(hasher, range);
     for (const auto* textures : {&use.reads, &use.writes}) {
       hasher.number(static_cast<double>(textures->size()));

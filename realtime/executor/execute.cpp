@@ -154,6 +154,7 @@ void report_step(const Plan& plan, size_t step, Progress& progress) {
 void draw_frame(const Plan& plan, const SceneBuffers& scene_buffers, const VertexArray& empty_vertex_array,
                 const FrameWatch& watch) {
   for (const UniformRange& range : plan.frame_uniforms) bind_range(plan.uniforms, range);
+  if (plan.history_uniforms) bind_range(plan.uniforms, *plan.history_uniforms);
   if (watch.is_first) {
     for (const Step& step : plan.steps) {
       if (step.once && !step.is_kept) draw_step(plan, step, scene_buffers, empty_vertex_array);

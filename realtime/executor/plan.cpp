@@ -53,6 +53,7 @@ class Planner {
     if (!parameters.empty()) {
       plan_.frame_uniforms.push_back(store_.add(kParameterBinding, parameters.data(), parameters.size()));
     }
+    add_history();
     add_passes(inputs_.technique.passes);
     require_visibility();
     plan_.uniforms = store_.upload();
@@ -63,6 +64,15 @@ class Planner {
   }
 
  private:
+  void add_history() {
+    if (!inputs_.technique.has_history()) return;
+    const Camera& previous =
+        inputs_.previous_camera == nullptr ? inputs_.scene.camera : *inputs_.previous_camera;
+    const HistoryData history = make_history_data(previous, inputs_.frame, inputs_.gbuffer.width(),
+                                                  inputs_.gbuffer.height());
+    plan_.history_uniforms = store_.add(kHistoryBinding, &history, sizeof(history));
+  }
+
   void add_passes(const std::vector<PassDeclaration>& passes) {
     for (const PassDeclaration& pass : passes) {
       if (!holds(pass.condition, variables_)) continue;

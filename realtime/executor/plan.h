@@ -34,7 +34,8 @@ struct Plan {
   std::vector<PreparedPass> passes;
   std::vector<Step> steps;
   std::vector<std::string> labels;  // of timers
-  std::vector<UniformRange> frame_uniforms;
+  std::vector<UniformRange> frame_uniforms;  // the first is FrameData's
+  std::optional<UniformRange> history_uniforms;
   Buffer uniforms;
   std::vector<std::byte> uniform_bytes;   // what is in it
   std::vector<FittedView> center_views;   // from the light's centre: one map, or a family's

@@ -50,7 +50,9 @@ std::string uniform_blocks(const PreludeInputs& inputs) {
   std::string loops;
   for (const std::string& variable : inputs.loop_variables)
     loops += fmt::format("int {0}; int {0}_count; ", variable);
-  return block("ParameterBlock", kParameterBinding, parameters) + block("LoopBlock", kLoopBinding, loops);
+  const std::string history = inputs.technique.has_history() ? "HistoryData history; " : "";
+  return block("ParameterBlock", kParameterBinding, parameters) + block("LoopBlock", kLoopBinding, loops) +
+         block("HistoryBlock", kHistoryBinding, history);
 }
 
 /// A family is an array and its number of views a macro, but for the one that the pass draws from.
@@ -72,7 +74,9 @@ std::string view_blocks(const PreludeInputs& inputs) {
   return text;
 }
 
-const ResourceDeclaration* declared_resource(const Technique& technique, const std::string& name) {
+/// Of this frame or the one before.
+const ResourceDeclaration* declared_resource(const Technique& technique, const std::string& read) {
+  const std::string_view name = without_previous(read);
   const auto found = std::ranges::find(technique.resources, name, &ResourceDeclaration::name);
   return found == technique.resources.end() ? nullptr : &*found;
 }

@@ -19,6 +19,7 @@ struct TextureFormat;  // realtime/harness/objects.h
 inline constexpr unsigned kParameterBinding = 1;
 inline constexpr unsigned kLoopBinding = 2;
 inline constexpr unsigned kFirstViewBinding = 3;
+inline constexpr unsigned kHistoryBinding = 35;  // the last of the 36 that every GL has
 
 struct PreludeInputs {
   const Technique& technique;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "realtime/executor/run_inputs.h"
 
+#include "realtime/harness/frame_uniforms.h"
 #include "realtime/manifest/activity.h"
 #include "realtime/manifest/names.h"
 
@@ -34,6 +35,10 @@ ExpressionVariables run_variables(const RunInputs& inputs) {
   variables["camera.far"] = farthest_corner(inputs.scene);
   variables["receivers.near"] = inputs.receiver_range.near_world;
   variables["receivers.far"] = inputs.receiver_range.far_world;
+  const glm::dvec2 jitter = frame_jitter(inputs.frame);
+  variables["frame.index"] = inputs.frame;
+  variables["frame.jitter_x"] = jitter.x;
+  variables["frame.jitter_y"] = jitter.y;
   for (const ValueDeclaration& value : inputs.technique.values)
     variables[value.name] = value.value.evaluate(variables);
   return variables;

@@ -33,6 +33,9 @@ struct RunInputs {
   uint64_t seed = 1;
   std::filesystem::path shaders_folder;
   bool takes_blocker_truth = false;  // RenderRequest::blocker_truth
+  int frame = 0;                              // counted from the first that is drawn
+  const Camera* previous_camera = nullptr;    // of the frame before; null in the first
+  const GBuffer* previous_gbuffer = nullptr;  // the same
 };
 
 /// Parameters, choices, built-in variables and the technique's own values: what expressions may use outside loops.

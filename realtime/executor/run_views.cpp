@@ -8,6 +8,7 @@
 
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -86,10 +87,16 @@ std::span<const FittedView> RunViews::get(const std::string& name, const Express
 RunViews::Settings RunViews::settings_of(const ViewDeclaration& declaration,
                                          const ExpressionVariables& variables) const {
   constexpr int64_t kMaxTexels = 1 << 20;
+  glm::dvec2 offset(0.0);
+  if (declaration.offset_texels) {
+    const auto& [right, up] = *declaration.offset_texels;
+    offset = {right.evaluate(variables), up.evaluate(variables)};
+  }
   return {.index = index_of(declaration, variables),
           .texels = static_cast<int>(whole_number(declaration.size, variables, 1, kMaxTexels,
                                                   fmt::format("size of view '{}'", declaration.name))),
           .snaps = !declaration.snap.is_empty() && holds(declaration.snap, variables),
+          .offset_texels = offset,
           .slice = slice_of(declaration, variables)};
 }
 
@@ -116,6 +123,8 @@ FittedView RunViews::fit(const ViewDeclaration& declaration, const Settings& set
   FittedView fitted;
   fitted.view = light_view(declaration, settings);
   if (settings.snaps) fitted.view = snapped(fitted.view, settings.texels);
+  if (settings.offset_texels != glm::dvec2(0.0))
+    fitted.view = moved_aside(fitted.view, settings.offset_texels, settings.texels);
   fitted.data = make_light_view_data(fitted.view, settings.texels);
   fitted.mirrors = reverses_winding(fitted.view);
   return fitted;

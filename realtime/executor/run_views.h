@@ -36,6 +36,7 @@ class RunViews {
     int64_t index = 0;  // of light.sample or light.face
     int texels = 0;
     bool snaps = false;
+    glm::dvec2 offset_texels{0.0};
     std::optional<CameraSlice> slice;
   };
 

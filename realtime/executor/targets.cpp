@@ -56,12 +56,24 @@ Targets::Targets(const RunInputs& inputs, const ExpressionVariables& variables)
   add_screen("gbuffer.normal", inputs.gbuffer.normal);
   add_screen("gbuffer.shading_normal", inputs.gbuffer.shading_normal);
   add_screen("gbuffer.primitive_id", inputs.gbuffer.primitive_id);
+  const std::set<std::string> previously = read_previously(inputs.technique.passes);
   for (const ResourceDeclaration& resource : inputs.technique.resources) {
-    if (holds(resource.condition, variables)) add_resource(resource, variables);
+    if (!holds(resource.condition, variables)) continue;
+    add_resource(resource, resource.name, variables);
+    if (previously.contains(resource.name))
+      add_resource(resource, std::string(kPrevious) + resource.name, variables);
   }
+  if (!inputs.technique.has_history()) return;
+  const GBuffer& before = inputs.previous_gbuffer == nullptr ? inputs.gbuffer : *inputs.previous_gbuffer;
+  const std::string previous(kPrevious);
+  add_screen(previous + "gbuffer.position", before.position);
+  add_screen(previous + "gbuffer.normal", before.normal);
+  add_screen(previous + "gbuffer.shading_normal", before.shading_normal);
+  add_screen(previous + "gbuffer.primitive_id", before.primitive_id);
 }
 
-void Targets::add_resource(const ResourceDeclaration& resource, const ExpressionVariables& variables) {
+void Targets::add_resource(const ResourceDeclaration& resource, const std::string& name,
+                           const ExpressionVariables& variables) {
   const TextureFormat& format = find_texture_format(resource.format(variables), resource.where);
   const int width = side(resource, resource.width, variables, "width");
   const int height = side(resource, resource.height, variables, "height");
@@ -71,8 +83,8 @@ void Targets::add_resource(const ResourceDeclaration& resource, const Expression
   const FileLocation& where = resource.width.where();
   const auto make = [&](Textures& textures, const TextureShape& shape) {
     auto texture = std::make_shared<const Texture>(
-        Texture::declared(format, width, height, resource.name, where, shape));
-    return textures.insert_or_assign(resource.name, std::move(texture)).first->second.get();
+        Texture::declared(format, width, height, name, where, shape));
+    return textures.insert_or_assign(name, std::move(texture)).first->second.get();
   };
   Target target;
   const TextureShape drawn{.levels = levels, .samples = samples, .kind = resource.kind, .layers = layers};
@@ -87,7 +99,7 @@ void Targets::add_resource(const ResourceDeclaration& resource, const Expression
        .wrap = resource.wrap,
        .border = border_color(resource.border),
        .compare = resource.compare});
-  targets_[resource.name] = std::move(target);
+  targets_[name] = std::move(target);
 }
 
 const Target* Targets::find(const std::string& name) const {

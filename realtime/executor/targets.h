@@ -24,7 +24,7 @@ class Targets {
   /// this GL.
   Targets(const RunInputs& inputs, const ExpressionVariables& variables);
 
-  /// Null when the run leaves the resource out.
+  /// Null when the run leaves the resource out. What a frame before held has names of its own, "previous.<name>".
   const Target* find(const std::string& name) const;
   const Texture& visibility() const { return visibility_; }
   /// Of the technique's own resources.
@@ -37,7 +37,8 @@ class Targets {
   void replace(const std::string& name, std::shared_ptr<const Texture> texture);
 
  private:
-  void add_resource(const ResourceDeclaration& resource, const ExpressionVariables& variables);
+  void add_resource(const ResourceDeclaration& resource, const std::string& name,
+                    const ExpressionVariables& variables);
 
   Texture visibility_;
   using Textures = std::map<std::string, std::shared_ptr<const Texture>, std::less<>>;

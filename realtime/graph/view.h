@@ -24,6 +24,7 @@ struct ViewDeclaration {
   std::string fit = "visible";  // a name of light_fits(), or a choice parameter of such names
   Expression snap;              // not 0: the map moves in whole texels only
   Expression size;              // texels a side, for the texel size
+  std::optional<std::array<Expression, 2>> offset_texels;  // moves the map aside
   /// A family of views: how many, and what their other expressions call the index. None: a single view.
   Expression count;
   std::string variable;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "realtime/harness/frame_uniforms.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace umbrameter {
@@ -17,6 +18,12 @@ glm::dvec2 light_extent(const Light& light) {
   return glm::dvec2(light.radius_world);
 }
 
+double radical_inverse(int index, int base) {
+  double inverse = 0.0;
+  for (double digit = 1.0 / base; index > 0; index /= base, digit /= base) inverse += digit * (index % base);
+  return inverse;
+}
+
 }  // namespace
 
 FrameData make_frame_data(const Scene& scene, int width_px, int height_px, uint64_t seed) {
@@ -31,6 +38,20 @@ FrameData make_frame_data(const Scene& scene, int width_px, int height_px, uint6
   data.light_extent = glm::vec4(glm::vec2(light_extent(light)), 0.0f, 0.0f);
   data.light_type = glm::ivec4(static_cast<int>(light.type), 0, 0, 0);
   data.screen_and_seed = glm::ivec4(width_px, height_px, static_cast<int>(seed & 0x7fffffffu), 0);
+  return data;
+}
+
+glm::dvec2 frame_jitter(int frame) {
+  return {radical_inverse(frame + 1, 2) - 0.5, radical_inverse(frame + 1, 3) - 0.5};
+}
+
+HistoryData make_history_data(const Camera& previous, int frame, int width_px, int height_px) {
+  const glm::dvec2 now = frame_jitter(frame), before = frame_jitter(std::max(frame - 1, 0));
+  HistoryData data{};
+  data.previous_clip_from_world = glm::mat4(clip_from_world(previous, width_px, height_px));
+  data.previous_eye_world = vector4(previous.eye_world, 1.0);
+  data.jitter = glm::vec4(glm::vec2(now), glm::vec2(before));
+  data.frame = glm::ivec4(frame, 0, 0, 0);
   return data;
 }
 

@@ -19,6 +19,12 @@ inline constexpr unsigned kFrameBinding = 0;
 /// For the scene's camera and active light.
 FrameData make_frame_data(const Scene& scene, int width_px, int height_px, uint64_t seed);
 
+/// Point `frame` + 1 of the Halton sequence of bases 2 and 3, less a half: in (-0.5, 0.5).
+glm::dvec2 frame_jitter(int frame);
+
+/// Of frame `frame`, counted from the first that is drawn; `previous` is the camera of the frame before, or its own.
+HistoryData make_history_data(const Camera& previous, int frame, int width_px, int height_px);
+
 LightViewData make_light_view_data(const LightView& view, int texels_a_side);
 
 }  // namespace umbrameter

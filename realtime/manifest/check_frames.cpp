@@ -34,10 +34,13 @@ bool keeps_contents(const PassDeclaration& pass) {
 
 [[noreturn]] void fail(const PassDeclaration& pass, std::string_view does, const std::string& name) {
   fail_input(
-      fmt::format("pass '{}' {} '{}' as the frame before left it: techniques that carry state over frames "
-                  "cannot be judged, because pictures are of the first frame and times of later ones",
+      fmt::format("pass '{}' {} '{}' as the frame before left it: a frame that is drawn again, to be timed, "
+                  "would be another",
                   pass.id, does, name),
-      pass.where, fmt::format("write '{}' anew in each frame, before it is used", name));
+      pass.where,
+      fmt::format("write '{0}' anew in each frame, before it is used; what the frame before wrote is "
+                  "'previous.{0}'",
+                  name));
 }
 
 }  // namespace

@@ -50,6 +50,12 @@ void check_identifiers(const Technique& technique) {
     if (resource.kind == TextureKind::array)
       identifiers.claim(resource.name + "_layers", what, resource.where);
   }
+  if (technique.has_history()) identifiers.claim("history", "a built-in", {});
+  for (const std::string& name : read_previously(technique.passes)) {
+    const std::string what = fmt::format("the previous '{}'", name);
+    for (const char* suffix : {"", "_size", "_layers"})
+      identifiers.claim(glsl_name(kPrevious) + name + suffix, what, {});
+  }
   for (const ViewDeclaration& view : technique.views) {
     const std::string what = fmt::format("view '{}'", view.name);
     identifiers.claim("view_" + view.name, what, view.where);
@@ -86,6 +92,10 @@ class PassChecker {
     known_writes_.emplace_back(kVisibility);
     known_reads_ = known_writes_;
     known_reads_.insert(known_reads_.end(), builtin_reads().begin(), builtin_reads().end());
+    const std::vector<std::string> of_this_frame = known_reads_;
+    for (const std::string& name : of_this_frame) {
+      if (name != kVisibility) known_reads_.push_back(std::string(kPrevious) + name);
+    }
   }
 
   void check_all() {
@@ -97,6 +107,7 @@ class PassChecker {
     }
     check_resources();
     check_views();
+    check_history();
   }
 
  private:
@@ -154,8 +165,9 @@ class PassChecker {
                         const NameSet& loop_variables) {
     const NameSet all = all_loop_variables(technique_.passes);
     std::vector<const Expression*> expressions = {&view.index, &view.snap, &view.size};
-    if (view.slice_world)
-      for (const Expression& end : *view.slice_world) expressions.push_back(&end);
+    for (const auto* pair : {&view.slice_world, &view.offset_texels})
+      if (*pair)
+        for (const Expression& expression : **pair) expressions.push_back(&expression);
     for (const Expression* expression : expressions) {
       for (const std::string& name : expression->names()) {
         if (!all.contains(name) || loop_variables.contains(name)) continue;
@@ -184,12 +196,28 @@ class PassChecker {
       if (!reads.insert(name).second) fail(pass, fmt::format("reads '{}' twice", name));
       if (std::ranges::find(pass.writes, name) != pass.writes.end() && pass.write_level.is_empty())
         fail(pass, fmt::format("reads and writes '{}'", name), "only with 'write_level'");
+      if (is_previous(name)) {
+        check_previous(pass, name);
+        continue;
+      }
       const bool is_builtin = std::ranges::find(builtin_reads(), name) != builtin_reads().end();
       if (!is_builtin && !written_.contains(name)) {
         fail(pass, fmt::format("reads '{}', which no earlier pass writes", name));
       }
       read_.insert(name);
     }
+  }
+
+  void check_previous(const PassDeclaration& pass, const std::string& name) {
+    if (!technique_.has_history())
+      fail(pass, fmt::format("reads '{}', but the technique has no history", name),
+           "say with 'frames_before' how many frames are drawn before the one that counts");
+    const std::string base(without_previous(name));
+    const auto resource = std::ranges::find(technique_.resources, base, &ResourceDeclaration::name);
+    if (resource != technique_.resources.end() && !resource->samples.is_empty())
+      fail(pass, fmt::format("reads '{}', which is multisampled", name), "leave out 'samples'");
+    reads_history_ = true;
+    read_.insert(base);
   }
 
   /// What runs once may depend on parameters only.
@@ -279,7 +307,15 @@ class PassChecker {
     }
   }
 
+  /// A technique whose frames are all alike needs one.
+  void check_history() const {
+    if (technique_.has_history() && !reads_history_)
+      fail_input(fmt::format("technique '{}' draws frames before and reads nothing of them", technique_.id),
+                 technique_.frames_before.where(), "read previous.<resource>, or leave out 'frames_before'");
+  }
+
   const Technique& technique_;
+  bool reads_history_ = false;
   std::map<std::string, const TextureFormat*, std::less<>> formats_;
   std::vector<std::string> known_reads_;
   std::vector<std::string> known_writes_;

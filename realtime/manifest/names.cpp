@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "realtime/manifest/names.h"
 
+#include "realtime/graph/pass.h"
+
 #include <array>
 #include <cctype>
 
@@ -37,6 +39,23 @@ std::span<const std::string> builtin_variables() {
       "light.rect",   "light.disk",    "light.sphere",   "light.sun",    "scene.diagonal",
       "camera.near",  "camera.far",    "receivers.near", "receivers.far"};
   return variables;
+}
+
+std::span<const std::string> frame_variables() {
+  static const std::array<std::string, 3> variables = {"frame.index", "frame.jitter_x", "frame.jitter_y"};
+  return variables;
+}
+
+std::set<std::string> read_previously(const std::vector<PassDeclaration>& passes) {
+  std::set<std::string> names;
+  for (const PassDeclaration& pass : passes) {
+    names.merge(read_previously(pass.body));
+    for (const std::string& read : pass.reads) {
+      if (is_previous(read) && !read.substr(kPrevious.size()).starts_with("gbuffer."))
+        names.emplace(without_previous(read));
+    }
+  }
+  return names;
 }
 
 ExpressionVariables parameter_variables(std::span<const Parameter> parameters,

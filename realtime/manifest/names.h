@@ -6,6 +6,7 @@
 #include "realtime/graph/expression.h"
 
 #include <filesystem>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,6 +17,17 @@ namespace umbrameter {
 /// Built-in reads (gbuffer.*) in a fixed order.
 std::span<const std::string> builtin_reads();
 inline constexpr std::string_view kVisibility = "visibility";
+
+/// "previous.<resource or built-in>": a read of what it held at the end of the frame before.
+inline constexpr std::string_view kPrevious = "previous.";
+inline bool is_previous(std::string_view read) { return read.starts_with(kPrevious); }
+/// The resource or built-in behind a read, of this frame or the one before.
+inline std::string_view without_previous(std::string_view read) {
+  return is_previous(read) ? read.substr(kPrevious.size()) : read;
+}
+/// The resources, but for built-ins, whose previous contents some pass reads.
+struct PassDeclaration;
+std::set<std::string> read_previously(const std::vector<PassDeclaration>& passes);
 
 /// A resource or built-in as GLSL sees it: dots become underscores.
 std::string glsl_name(std::string_view name);
@@ -30,6 +42,9 @@ std::string choice_variable(const Parameter& parameter, std::string_view choice)
 /// camera's axis: camera.near (its near plane), camera.far (the farthest corner of the scene's box), receivers.near and
 /// far (of the receivers in the picture).
 std::span<const std::string> builtin_variables();
+/// More of them for passes and views of a technique with history: frame.index, counted from the first frame that is drawn,
+/// and frame.jitter_x and frame.jitter_y (HistoryData of realtime/shaders/shared/frame_data.h).
+std::span<const std::string> frame_variables();
 
 /// The value of every parameter and choice.
 ExpressionVariables parameter_variables(std::span<const Parameter> parameters, const ParameterValues& values);

@@ -75,7 +75,7 @@ void read_format(Manifest& manifest, TomlReader& reader, ResourceDeclaration& re
 /// What a face covers is known: a right angle.
 void read_coverage(Manifest& manifest, TomlReader& reader, ViewDeclaration& view, const Names& scope) {
   if (view.from == ViewOrigin::light_face) {
-    for (const std::string_view key : {"fit", "snap", "slice_world"}) {
+    for (const std::string_view key : {"fit", "snap", "offset_texels", "slice_world"}) {
       if (reader.has(std::string(key)))
         reader.fail(std::string(key), fmt::format("a face of the light's cube has no '{}'", key),
                     "it covers a right angle: leave it out");
@@ -85,6 +85,8 @@ void read_coverage(Manifest& manifest, TomlReader& reader, ViewDeclaration& view
   view.fit = reader.text("fit", view.fit);
   check_fit(manifest, reader, view.fit);
   view.snap = read_expression(manifest, reader, "snap", scope);
+  if (reader.has("offset_texels"))
+    view.offset_texels = read_expression_pair(manifest, reader, "offset_texels", scope);
   if (!reader.has("slice_world")) return;
   if (view.from != ViewOrigin::light_center)
     reader.fail("slice_world", "only a view from light.center can cover a slice of the frustum");

@@ -42,6 +42,8 @@ struct Technique {
   std::vector<Expression> constraints;
   Expression compares_per_pixel;         // see below; empty: not told
   std::vector<ValueDeclaration> values;  // each may use those before it
+  /// Frames drawn before the one that counts, of a technique that reads what earlier frames left; empty: it reads none.
+  Expression frames_before;
   std::vector<ViewDeclaration> views;
   std::vector<ResourceDeclaration> resources;
   std::vector<PassDeclaration> passes;
@@ -49,6 +51,7 @@ struct Technique {
   std::string hash;  // of the manifest, every file in the folder, included manifests and shaders
 
   bool supports(LightType type) const;
+  bool has_history() const { return !frames_before.is_empty(); }
 };
 
 /// Loads `folder`/technique.toml. `shared_folder` holds what manifests include (`<name>.toml`),

@@ -118,6 +118,14 @@ glm::dvec3 axis_towards(const std::vector<glm::dvec3>& directions, const glm::dv
   return glm::length(sum) > 0.0 ? glm::normalize(sum) : fallback;
 }
 
+LightView with_bounds(const LightView& view, const LateralBounds& bounds) {
+  LightView result = view;
+  result.clip_from_light =
+      glm::mat4(clip_from_light(bounds, view.near_world, view.far_world, view.is_orthographic));
+  result.lateral_bounds = glm::vec4(glm::vec2(bounds.min), glm::vec2(bounds.max));
+  return result;
+}
+
 }  // namespace
 
 LightView fit_center_view(const Scene& scene, std::span<const ReceiverTile> covered, LightFit fit) {
@@ -175,11 +183,16 @@ LightView snapped(const LightView& view, int texels_a_side) {
     bounds.min[axis] = std::floor(bounds.min[axis] / texel) * texel;
     bounds.max[axis] = bounds.min[axis] + width;
   }
-  LightView result = view;
-  result.clip_from_light =
-      glm::mat4(clip_from_light(bounds, view.near_world, view.far_world, view.is_orthographic));
-  result.lateral_bounds = glm::vec4(glm::vec2(bounds.min), glm::vec2(bounds.max));
-  return result;
+  return with_bounds(view, bounds);
+}
+
+LightView moved_aside(const LightView& view, const glm::dvec2& offset_texels, int texels_a_side) {
+  const glm::dvec4 old(view.lateral_bounds);
+  LateralBounds bounds{{old.x, old.y}, {old.z, old.w}, view.near_world, view.far_world};
+  const glm::dvec2 way = offset_texels * (bounds.max - bounds.min) / static_cast<double>(texels_a_side);
+  bounds.min += way;
+  bounds.max += way;
+  return with_bounds(view, bounds);
 }
 
 glm::dvec4 camera_axis(const Camera& camera) {

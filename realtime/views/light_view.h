@@ -90,6 +90,9 @@ LightView fit_face_view(const Scene& scene, int face, const DistanceRange& range
 /// corner lies on a multiple of a texel.
 LightView snapped(const LightView& view, int texels_a_side);
 
+/// The view with its map moved aside by parts of its texels.
+LightView moved_aside(const LightView& view, const glm::dvec2& offset_texels, int texels_a_side);
+
 /// Distance along the camera's axis as a plane: dot(it, (p_world, 1)).
 glm::dvec4 camera_axis(const Camera& camera);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Taps over the light's shape, for techniques with the parameters of the group light_filter.
 #include "kernel_light.glsl"
+#include "r2_sequence.glsl"
 #include "white_noise.glsl"
 
 /// Turns or shifts a kernel from pixel to pixel; jittered: the number of the pixel in its tile, which names its set.
@@ -31,8 +32,15 @@ vec2 jittered_tap(int index, int side, uint set) {
   return sqrt(cell.y) * vec2(cos(angle_rad), sin(angle_rad));
 }
 
-/// Tap `index` of `tap_count(count)`: on the light, on the disk of a curve, or on a grid over the square around it.
+/// Tap `index` of `tap_count(count)`: on the light, on the disk of a curve, or on a grid over the square around it. With
+/// TAPS_OVER_FRAMES those on the light go on from frame to frame.
 vec2 kernel_tap(AreaLight light, int index, int count, vec2 noise) {
+#ifdef TAPS_OVER_FRAMES
+  if (KERNEL == KERNEL_LIGHT) {
+    vec2 uv = r2_point(history.frame.x * count + index, noise);
+    return light.type == kRect ? 2.0 * uv - 1.0 : concentric_disk(uv);
+  }
+#endif
 #ifdef PENUMBRA_CURVE
   if (KERNEL == KERNEL_LIGHT && PENUMBRA_CURVE != PENUMBRA_CURVE_PHYSICAL)
     return vogel_disk(index, count, kTwoPi * noise.x);

@@ -37,6 +37,14 @@ struct LightViewData {
   vec4 slice_world;    // from, to: the distances along the camera's axis that it covers; 0, 0: all; 0, 0
 };
 
+// What techniques with history see as `history`.
+struct HistoryData {
+  mat4 previous_clip_from_world;  // of the frame before, as clip_from_world
+  vec4 previous_eye_world;        // xyz, w = 1
+  vec4 jitter;                    // xy: of this frame, zw: of the one before; Halton points 2, 3 less a half
+  ivec4 frame;                    // x: counted from the first frame that is drawn, 0: nothing was before; 0, 0, 0
+};
+
 #ifdef __cplusplus
 static_assert(sizeof(FrameData) == 208 && sizeof(LightViewData) == 176);
 static_assert(offsetof(FrameData, eye_world) == 64 && offsetof(FrameData, light_center_world) == 80);
@@ -48,5 +56,7 @@ static_assert(offsetof(FrameData, receiver_plane_world) == 192);
 static_assert(offsetof(LightViewData, clip_from_light) == 64);
 static_assert(offsetof(LightViewData, lateral_bounds) == 128 && offsetof(LightViewData, depth_range) == 144);
 static_assert(offsetof(LightViewData, slice_world) == 160);
+static_assert(sizeof(HistoryData) == 112 && offsetof(HistoryData, previous_eye_world) == 64);
+static_assert(offsetof(HistoryData, jitter) == 80 && offsetof(HistoryData, frame) == 96);
 }  // namespace umbrameter
 #endif

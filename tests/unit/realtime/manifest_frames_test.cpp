@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A frame depends on no earlier one: pictures come from the first, times from later ones.
+// A frame depends on earlier ones only as it says: what it draws again, to be timed, is the same picture.
 
 #include "tests/unit/realtime/whole_manifest.h"
 
@@ -44,8 +44,8 @@ TEST(Frames, StateThatGoesRoundIsRefused) {
   const std::string error =
       error_with(kStart + pass("step", "\"state\"", "\"next\"") + pass("back", "\"next\"", "\"state\""));
   EXPECT_THAT(error, AllOf(HasSubstr("pass 'step' reads 'state' as the frame before left it"),
-                           HasSubstr("techniques that carry state over frames cannot be judged"),
-                           HasSubstr("write 'state' anew in each frame")));
+                           HasSubstr("a frame that is drawn again, to be timed, would be another"),
+                           HasSubstr("write 'state' anew in each frame"), HasSubstr("'previous.state'")));
 }
 
 TEST(Frames, SumsThatGrowFromFrameToFrameAreRefused) {
@@ -64,6 +64,49 @@ TEST(Frames, SumsThatBeginAnewAndTablesMadeOnceAreFine) {
   EXPECT_EQ(error_with(pass("start", "", "\"state\"") + pass("step", "\"state\"", "\"next\"") +
                        pass("back", "\"next\"", "\"state\"")),
             "no error");
+}
+
+/// The same of a technique that says `head` in its first lines.
+std::string error_with_head(const std::string& head, const std::string& passes) {
+  TechniqueFolder folder;
+  for (const char* id : {"step", "draw"}) folder.write(fmt::format("{}.frag", id), "void main() { }");
+  const std::string manifest =
+      replaced(whole_manifest(), "[[pass]]\nid = \"map\"",
+               "[[resource]]\nname = \"state\"\nformat = \"r32f\"\nwidth = 4\nheight = 4\n" + passes +
+                   "[[pass]]\nid = \"map\"");
+  return error_of(folder, replaced(manifest, "schema = 1\n", "schema = 1\n" + head));
+}
+
+const std::string kStep = pass("step", "\"previous.state\"", "\"state\"");
+
+TEST(Frames, WhatTheFrameBeforeWroteIsReadByAnotherName) {
+  EXPECT_EQ(error_with_head("frames_before = \"taps\"\n", kStep), "no error");
+  EXPECT_EQ(error_with_head("frames_before = 3\n",
+                            pass("step", "\"previous.gbuffer.normal\"", "\"state\"") +
+                                pass("draw", "\"state\", \"previous.state\"", "\"visibility\"")),
+            "no error");
+}
+
+TEST(Frames, HistoryIsSaidAndUsed) {
+  EXPECT_THAT(error_with_head("", kStep),
+              AllOf(HasSubstr("reads 'previous.state', but the technique has no history"),
+                    HasSubstr("'frames_before'")));
+  EXPECT_THAT(error_with_head("frames_before = 3\n",
+                              pass("step", "", "\"state\"") + pass("draw", "\"state\"", "\"visibility\"")),
+              HasSubstr("draws frames before and reads nothing of them"));
+  EXPECT_THAT(error_with_head("frames_before = \"tap\"\n", kStep),
+              AllOf(HasSubstr("unknown name 'tap'"), HasSubstr("'taps'")));
+  EXPECT_THAT(error_with_head("frames_before = 3\n", pass("step", "\"previous.stat\"", "\"state\"")),
+              AllOf(HasSubstr("reads 'previous.stat'"), HasSubstr("'previous.state'")));
+  EXPECT_THAT(error_with_head("frames_before = 3\n", pass("step", "\"previous.visibility\"", "\"state\"")),
+              HasSubstr("reads 'previous.visibility', which is neither"));
+}
+
+TEST(Frames, TheirNumberIsForTechniquesWithHistory) {
+  const std::string views = pass("step", "\"previous.state\"", "\"state\"", "condition = \"frame.index > 2\"");
+  EXPECT_EQ(error_with_head("frames_before = 3\n", views), "no error");
+  EXPECT_THAT(error_with_head("", pass("step", "", "\"state\"", "condition = \"frame.index > 2\"")),
+              HasSubstr("unknown name 'frame.index'"));
 }
 
 }  // namespace
