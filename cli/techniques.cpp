@@ -124,8 +124,8 @@ std::map<LightType, SceneJob> scenes_by_light(const SceneSearch& search) {
   std::map<LightType, SceneJob> scenes;
   for (const SceneEntry& entry : list_scenes(search)) {
     if (entry.needs_assets) continue;
-    SceneJob job = load_scene_job(entry.name, search);
-    scenes.try_emplace(job.scene.light().type, std::move(job));
+    for (SceneJob& job : load_scene_jobs(entry.name, search))
+      scenes.try_emplace(job.scene.light().type, std::move(job));
   }
   return scenes;
 }

@@ -182,6 +182,18 @@ std::string details(const Results& results) {
   return text + left_out_list(results);
 }
 
+/// What pictures with history are of.
+std::string histories(const Results& results) {
+  std::string text;
+  for (const SceneResult& scene : results.scenes) {
+    for (const TechniqueResult& run : scene.techniques) {
+      if (run.frames_before > 0)
+        text += fmt::format("{}, {}: {}\n", scene.name, run.label, format_history(run));
+    }
+  }
+  return text;
+}
+
 std::string skip_list(const Results& results) {
   std::string text;
   for (const Skip& skip : results.skipped) text += fmt::format("skipped {}\n", format_skip(skip));
@@ -206,10 +218,10 @@ std::string work_line(const WorkDone& work) {
 }
 
 std::string validation_text(const Results& results, bool with_details) {
-  return fmt::format("quality {}, {} x {} px, {} samples per pixel, seed {}\n\n{}\n{}{}{}{}{}{}",
+  return fmt::format("quality {}, {} x {} px, {} samples per pixel, seed {}\n\n{}\n{}{}{}{}{}{}{}",
                      results.quality, results.picture.width_px, results.picture.height_px,
                      results.picture.samples_per_pixel, results.picture.seed, table(results),
-                     model_gaps(results), causes(results), with_details ? details(results) : "",
+                     model_gaps(results), histories(results), causes(results), with_details ? details(results) : "",
                      findings(results), warning_list(results), skip_list(results));
 }
 

@@ -71,6 +71,7 @@ TermLines reference_facts(const SceneResult& scene) {
 TermLines run_facts(const TechniqueResult& run) {
   TermLines lines = error_lines(run);
   append_diagnosis(lines, run);
+  if (run.frames_before > 0) lines.emplace_back("history", format_history(run));
   if (run.temporal) lines.emplace_back("over time", format_temporal(*run.temporal));
   append_times(lines, run);
   append(lines, {{"parameters", to_text(run.parameters)},

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "results/format.h"
 
+#include "results/catalogue.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -78,6 +80,18 @@ std::string format_temporal(const TemporalNumbers& temporal) {
   return fmt::format("flicker {} (truth {}) under a moving camera, {} under a moving light, {} over seeds",
                      text(temporal.camera.test), text(temporal.camera.reference), text(temporal.light.rms),
                      text(temporal.seed_noise));
+}
+
+std::string format_history(const TechniqueResult& run) {
+  std::string text = fmt::format("after {} frames ({})", run.frames_before, run.motion);
+  const char* separator = ": ";
+  for (const char* key : {"ghosting", "convergence_frames"}) {
+    const Metric& metric = *find_metric(key);
+    if (!metric.of(run)) continue;
+    text += fmt::format("{}{} {}", separator, metric.label, format_metric(metric, run));
+    separator = ", ";
+  }
+  return text;
 }
 
 }  // namespace umbrameter

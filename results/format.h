@@ -30,5 +30,7 @@ std::string format_parity(const ParityNumbers& parity);
 std::string format_skip(const Skip& skip);
 /// "flicker 0.012 (truth 0.003) under a moving camera, 0.02 under a moving light, 0.001 over seeds".
 std::string format_temporal(const TemporalNumbers& temporal);
+/// "after 15 frames (light): ghosting +0.012, frames to converge 7.7", of a run with history; the numbers where measured.
+std::string format_history(const TechniqueResult& run);
 
 }  // namespace umbrameter

@@ -18,6 +18,17 @@ void hash_state(Hasher& hasher, const PassDeclaration& pass, const WritePlace& p
   hasher.number(state.clip_distances).number(state.clear ? 1.0 : 0.0);
   if (state.clear) hasher.number(static_cast<double>(state.clear->size())).values(std::span(*state.clear));
   hasher.number(place.level).number(place.layer);
+  for (const BlendFactor factor : state.blend_factors) hasher.number(static_cast<double>(factor));
+  for (const bool writes : state.writes_channel) hasher.number(writes ? 1.0 : 0.0);
+  hasher.number(state.depth_test ? static_cast<double>(*state.depth_test) : -1.0);
+  hasher.number(state.depth_write ? 1.0 : 0.0).number(state.clear_stencil.value_or(-1));
+  hasher.number(state.stencil ? 1.0 : 0.0);
+  if (!state.stencil) return;
+  hasher.number(static_cast<double>(state.stencil->test)).number(state.stencil->reference);
+  hasher.number(state.stencil->mask);
+  for (const StencilFace& face : {state.stencil->front, state.stencil->back})
+    for (const StencilAction action : {face.fail, face.depth_fail, face.pass})
+      hasher.number(static_cast<double>(action));
 }
 
 void hash_shape(Hasher& hasher, const Texture& texture) {
@@ -87,6 +98,7 @@ class Contents {
     Hasher hasher;
     hasher.text(picture_key_);
     hash_state(hasher, *pass.declaration, pass.place);
+    hasher.number(step.polygon_offset[0]).number(step.polygon_offset[1]).number(step.vertices);
     for (const auto& program : {pass.program, pass.cutout_program}) {
       if (program == nullptr) continue;
       if (!knows_samplers(*program, *pass.declaration)) return {};

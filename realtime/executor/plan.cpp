@@ -109,6 +109,11 @@ class Planner {
     step.pass = prepared_index(
         pass, {chosen(pass, pass.write_level, "write_level"), chosen(pass, pass.write_layer, "write_layer")});
     step.once = pass.once;
+    if (const auto& offset = pass.state.polygon_offset) {
+      for (size_t k = 0; k < 2; ++k)
+        step.polygon_offset[k] = static_cast<float>((*offset)[k].evaluate(variables_));
+    }
+    step.vertices = vertices_of(pass);
     add_loop_block(step);
     GLuint binding = kFirstViewBinding;
     for (const std::string& name : pass_views(pass)) {
@@ -132,6 +137,14 @@ class Planner {
       values.push_back(static_cast<int32_t>(loop.count));
     }
     step.uniforms.push_back(store_.add(kLoopBinding, values.data(), values.size() * sizeof(int32_t)));
+  }
+
+  int vertices_of(const PassDeclaration& pass) const {
+    if (pass.vertices.is_empty()) return 0;
+    const auto most = static_cast<int64_t>(std::numeric_limits<GLsizei>::max()) /
+                      static_cast<int64_t>(std::max<uint64_t>(inputs_.scene_buffers.triangle_count(), 1));
+    return static_cast<int>(whole_number(pass.vertices, variables_, 1, std::min<int64_t>(most, 1024),
+                                         fmt::format("vertices of pass '{}'", pass.id)));
   }
 
   size_t member(const PassDeclaration& pass, size_t count) const {
@@ -198,6 +211,7 @@ class Planner {
   PreparedPass prepare(const PassDeclaration& pass, const WritePlace& place) {
     PassSurroundings around;
     for (const Loop& loop : loops_) around.loop_variables.push_back(loop.variable);
+    around.vertices = vertices_of(pass);
     for (const std::string& name : pass.views) around.view_counts[name] = views_.get(name, variables_).size();
     PreparedPass prepared = prepare_pass(pass, place, inputs_, *plan_.targets, around, programs_);
     if (prepared.program) add_warnings(*prepared.program);

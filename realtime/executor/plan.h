@@ -6,6 +6,7 @@
 #include "realtime/executor/prepare_pass.h"
 #include "realtime/executor/run_views.h"
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -24,6 +25,8 @@ struct Step {
   bool once = false;  // in the first frame only, untimed
   std::vector<UniformRange> uniforms;
   bool mirrors = false;
+  std::array<float, 2> polygon_offset{};  // factor, units
+  int vertices = 0;                       // that each triangle is drawn with and pulls; 0: its own three
   std::shared_ptr<const IndexRanges> casters;          // of a scene pass; none: every triangle
   std::shared_ptr<const InstanceSelection> instances;  // of a scene pass; none: all of them
   bool is_kept = false;  // what it would write is there from an earlier run: not drawn

@@ -108,6 +108,13 @@ struct Drawn {
   bool are_instances = false;
 };
 
+/// Of a pass whose vertices pull their triangle (lib/pulled_triangle.glsl).
+std::string pulled_prelude(int vertices, bool has_holes, bool are_instances) {
+  return fmt::format("#define VERTICES_PER_TRIANGLE {}\n{}{}", vertices,
+                     has_holes ? "#define HAS_CUTOUTS\n" : "",
+                     are_instances ? "#define HAS_INSTANCES\n" : "");
+}
+
 std::shared_ptr<const Program> compile(const PassDeclaration& pass, const std::filesystem::path& vertex,
                                        const RunInputs& inputs, const Targets& targets,
                                        const PassSurroundings& around, Drawn drawn, ProgramCache& programs) {
@@ -117,6 +124,16 @@ std::shared_ptr<const Program> compile(const PassDeclaration& pass, const std::f
     return target == nullptr ? nullptr : &target->texture->format();
   };
   prelude.takes_blocker_truth = inputs.takes_blocker_truth;
+  if (around.vertices > 0) {
+    const std::string pulled = pulled_prelude(around.vertices, drawn.has_holes, drawn.are_instances);
+    std::vector<ShaderFile> stages = {
+        {ShaderStage::vertex, vertex, vertex_prelude(prelude) + pulled}};
+    if (!pass.fragment.empty()) {
+      const auto file = find_shader(pass.fragment, inputs.technique.folder, inputs.shaders_folder, pass.where);
+      stages.push_back({ShaderStage::fragment, file, fragment_prelude(prelude) + pulled});
+    }
+    return programs.get(stages);
+  }
   const std::string vertex_more = drawn.are_instances ? instance_vertex_prelude(drawn.has_holes)
                                   : drawn.has_holes   ? cutout_vertex_prelude()
                                                       : "";
@@ -146,19 +163,21 @@ PreparedPass prepare_pass(const PassDeclaration& pass, const WritePlace& place, 
   note_formats(prepared, pass, targets);
   require_readable(prepared, pass, targets);
   const std::filesystem::path vertex = vertex_file(pass, inputs);
-  prepared.program = compile(pass, vertex, inputs, targets, around, {}, programs);
+  const bool pulls = around.vertices > 0;
+  const bool pulls_holes = pulls && inputs.scene_buffers.cutouts() != nullptr;
+  prepared.program = compile(pass, vertex, inputs, targets, around, {pulls_holes, false}, programs);
   label_object(GL_PROGRAM, prepared.program->id(), pass.id);
   if (pass.kind == PassKind::scene) {
     const auto compile_for = [&](Drawn drawn) {
       return compile(pass, vertex, inputs, targets, around, drawn, programs);
     };
     const InstanceBuffers* instances = inputs.scene_buffers.instances();
-    if (inputs.scene_buffers.cutouts() != nullptr) prepared.cutout_program = compile_for({true, false});
-    if (instances != nullptr) prepared.instance_program = compile_for({false, true});
-    if (instances != nullptr && instances->has_holes())
+    if (!pulls && inputs.scene_buffers.cutouts() != nullptr) prepared.cutout_program = compile_for({true, false});
+    if (instances != nullptr) prepared.instance_program = compile_for({pulls_holes, true});
+    if (!pulls && instances != nullptr && instances->has_holes())
       prepared.instance_cutout_program = compile_for({true, true});
   }
-  prepared.may_cull_casters = pass.kind == PassKind::scene && !prepared.program->names_primitive_id() &&
+  prepared.may_cull_casters = pass.kind == PassKind::scene && !pulls && !prepared.program->names_primitive_id() &&
                               vertex.parent_path() == inputs.shaders_folder / "lib";
   return prepared;
 }

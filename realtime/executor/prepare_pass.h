@@ -56,6 +56,7 @@ struct PreparedPass {
 struct PassSurroundings {
   std::vector<std::string> loop_variables;    // of the loops around it, outermost first
   std::map<std::string, size_t> view_counts;  // of the views it lists: 1, or a family's
+  int vertices = 0;                           // Step::vertices
 };
 
 /// Leaves `label` at 0, and the textures to attach_pass. Error{input} for targets that are left out or differ in size, for

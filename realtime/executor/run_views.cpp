@@ -40,6 +40,9 @@ int64_t index_of(const ViewDeclaration& declaration, const ExpressionVariables& 
     case ViewOrigin::light_face:
       return whole_number(declaration.index, variables, 0, kLastFace,
                           fmt::format("light face of view '{}'", declaration.name));
+    case ViewOrigin::light_half:
+      return whole_number(declaration.index, variables, 0, 1,
+                          fmt::format("light half of view '{}'", declaration.name));
   }
   return 0;
 }
@@ -146,6 +149,9 @@ LightView RunViews::light_view(const ViewDeclaration& declaration, const Setting
     case ViewOrigin::light_face:
       if (!cube_range_) cube_range_ = cube_range(scene);
       return fit_face_view(scene, static_cast<int>(settings.index), *cube_range_);
+    case ViewOrigin::light_half:
+      if (!cube_range_) cube_range_ = cube_range(scene);
+      return fit_half_view(scene, static_cast<int>(settings.index), *cube_range_);
   }
   return {};
 }

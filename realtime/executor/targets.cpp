@@ -56,6 +56,7 @@ Targets::Targets(const RunInputs& inputs, const ExpressionVariables& variables)
   add_screen("gbuffer.normal", inputs.gbuffer.normal);
   add_screen("gbuffer.shading_normal", inputs.gbuffer.shading_normal);
   add_screen("gbuffer.primitive_id", inputs.gbuffer.primitive_id);
+  add_screen("gbuffer.depth", inputs.gbuffer.depth);
   const std::set<std::string> previously = read_previously(inputs.technique.passes);
   for (const ResourceDeclaration& resource : inputs.technique.resources) {
     if (!holds(resource.condition, variables)) continue;
@@ -70,6 +71,7 @@ Targets::Targets(const RunInputs& inputs, const ExpressionVariables& variables)
   add_screen(previous + "gbuffer.normal", before.normal);
   add_screen(previous + "gbuffer.shading_normal", before.shading_normal);
   add_screen(previous + "gbuffer.primitive_id", before.primitive_id);
+  add_screen(previous + "gbuffer.depth", before.depth);
 }
 
 void Targets::add_resource(const ResourceDeclaration& resource, const std::string& name,

@@ -23,6 +23,12 @@ const FittedView* map_of(std::span<const FittedView> maps, const glm::dvec3& p_w
   return found == maps.end() ? nullptr : &*found;
 }
 
+/// World width, facing the light at lateral place and distance `p`, of a lateral step.
+double width_of_step(const LightView& view, const glm::dvec3& p) {
+  if (view.is_orthographic) return 1.0;
+  return view.is_paraboloid ? 2.0 * p.z / (1.0 + p.x * p.x + p.y * p.y) : p.z;
+}
+
 }  // namespace
 
 void add_texel_planes(std::span<const FittedView> maps, Image& image) {
@@ -44,7 +50,7 @@ void add_texel_planes(std::span<const FittedView> maps, Image& image) {
     const glm::dvec2 texel = {(bounds.z - bounds.x) / texels, (bounds.w - bounds.y) / texels};
     u[i] = static_cast<float>((p.x - bounds.x) / texel.x);
     v[i] = static_cast<float>((p.y - bounds.y) / texel.y);
-    width_world[i] = static_cast<float>(std::max(texel.x, texel.y) * (view.is_orthographic ? 1.0 : p.z));
+    width_world[i] = static_cast<float>(std::max(texel.x, texel.y) * width_of_step(view, p));
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include "realtime/graph/expression.h"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,11 +19,54 @@ enum class PassKind {
 };
 enum class CullMode { none, back, front };
 enum class BlendMode { none, add, min, max };
+enum class BlendFactor {
+  zero,
+  one,
+  source_color,
+  one_minus_source_color,
+  target_color,
+  one_minus_target_color,
+  source_alpha,
+  one_minus_source_alpha
+};
+/// Against what is stored, in reversed depth: greater is nearer.
+enum class Comparison { never, less, less_or_equal, equal, unequal, greater_or_equal, greater, always };
+enum class StencilAction {
+  keep,
+  zero,
+  replace,
+  increment,  // as far as 255
+  increment_wrap,
+  decrement,  // as far as 0
+  decrement_wrap,
+  invert
+};
+
+/// What becomes of the stencil under the faces of one side.
+struct StencilFace {
+  StencilAction fail = StencilAction::keep;        // the stencil's test
+  StencilAction depth_fail = StencilAction::keep;  // the depth's
+  StencilAction pass = StencilAction::keep;
+};
+
+struct StencilState {
+  Comparison test = Comparison::always;  // of `reference` with what is stored
+  int reference = 0;
+  int mask = 255;
+  StencilFace front, back;
+};
 
 /// Fixed-function state of a pass.
 struct PassState {
   CullMode cull = CullMode::none;
   BlendMode blend = BlendMode::none;
+  std::array<BlendFactor, 2> blend_factors{BlendFactor::one, BlendFactor::one};  // of what is drawn, what is there
+  std::array<bool, 4> writes_channel{true, true, true, true};
+  std::optional<Comparison> depth_test;  // greater in scene passes, always in fullscreen ones
+  bool depth_write = true;
+  std::optional<std::array<Expression, 2>> polygon_offset;  // glPolygonOffset's factor and units
+  std::optional<StencilState> stencil;
+  std::optional<int> clear_stencil;
   std::optional<std::vector<double>> clear;  // clear every written target first
   bool depth_clamp = true;
   int clip_distances = 0;  // gl_ClipDistance[0 .. n-1] that the vertex shader writes
@@ -34,6 +78,7 @@ struct PassDeclaration {
   std::string view;              // scene: view to render from
   Expression view_index;         // which member when that is a family of views
   std::string vertex, fragment;  // files in the folder or in shaders/; scene passes may leave fragment empty
+  Expression vertices;           // scene: that each triangle is drawn with, without attributes; empty: its own three
   std::vector<std::string> reads;   // resource names or built-ins (gbuffer.position, ...)
   std::vector<std::string> writes;  // resource names, or "visibility"
   std::vector<std::string> views;   // views whose block the shaders see

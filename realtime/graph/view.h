@@ -14,13 +14,14 @@ namespace umbrameter {
 enum class ViewOrigin {
   light_center,
   light_sample,  // a point of the scrambled Sobol set on the light
-  light_face     // the light's centre, through a face of the cube around it
+  light_face,    // the light's centre, through a face of the cube around it
+  light_half     // the light's centre, through a paraboloid that holds half of all directions
 };
 
 struct ViewDeclaration {
   std::string name;
   ViewOrigin from = ViewOrigin::light_center;
-  Expression index;             // of light_sample: which point; of light_face: which face
+  Expression index;             // of light_sample: which point; of light_face and light_half: which one
   std::string fit = "visible";  // a name of light_fits(), or a choice parameter of such names
   Expression snap;              // not 0: the map moves in whole texels only
   Expression size;              // texels a side, for the texel size

@@ -134,13 +134,14 @@ void InstanceBuffers::draw_cutouts(const InstanceSelection& selection) const {
   }
 }
 
-void InstanceBuffers::draw_pulled(const InstanceSelection& selection) const {
+void InstanceBuffers::draw_pulled(const InstanceSelection& selection, int vertices_per_triangle) const {
   bind_storage();
   bind_selection(pulled_, selection);
   for (size_t i = 0; i < meshes_.size(); ++i) {
     const InstanceSelection::Run& run = selection.runs[i];
     if (run.count > 0)
-      glDrawArraysInstancedBaseInstance(GL_TRIANGLES, 0, 3 * meshes_[i].triangles, run.count, run.first);
+      glDrawArraysInstancedBaseInstance(GL_TRIANGLES, 0, vertices_per_triangle * meshes_[i].triangles,
+                                        run.count, run.first);
   }
 }
 

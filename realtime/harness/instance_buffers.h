@@ -47,8 +47,8 @@ class InstanceBuffers {
   void draw(const InstanceSelection& selection) const;
   /// Every triangle with holes, as CutoutBuffers::draw(); also needs its preludes.
   void draw_cutouts(const InstanceSelection& selection) const;
-  /// Three vertices a triangle that pull from the storage buffers, with kInstanceLocation.
-  void draw_pulled(const InstanceSelection& selection) const;
+  /// So many vertices a triangle that pull from the storage buffers, with kInstanceLocation.
+  void draw_pulled(const InstanceSelection& selection, int vertices_per_triangle = 3) const;
   size_t bytes() const;
 
  private:

@@ -137,7 +137,10 @@ Framebuffer::Framebuffer(std::span<const Texture* const> colors, const Texture* 
   } else {
     glNamedFramebufferDrawBuffers(id, static_cast<GLsizei>(draw_buffers.size()), draw_buffers.data());
   }
-  if (depth != nullptr) attach(id, GL_DEPTH_ATTACHMENT, *depth, level, layer);
+  if (depth != nullptr) {
+    const GLenum point = has_stencil(depth->format()) ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT;
+    attach(id, point, *depth, level, layer);
+  }
   const GLenum status = glCheckNamedFramebufferStatus(id, GL_DRAW_FRAMEBUFFER);
   UMBRAMETER_ASSERT(status == GL_FRAMEBUFFER_COMPLETE, "framebuffer status 0x{:x}", status);
 }

@@ -61,6 +61,8 @@ struct TextureFormat {
 };
 
 std::span<const TextureFormat> texture_formats();
+/// Whether a depth format holds a stencil too.
+bool has_stencil(const TextureFormat& format);
 /// Error{input} at `where` with a spelling hint when there is no such format.
 const TextureFormat& find_texture_format(std::string_view name, const FileLocation& where = {});
 

@@ -95,9 +95,10 @@ void SceneBuffers::draw(const IndexRanges& ranges) const {
                       static_cast<GLsizei>(ranges.counts.size()));
 }
 
-void SceneBuffers::draw_pulled() const {
+void SceneBuffers::draw_pulled(int vertices_per_triangle) const {
   glBindVertexArray(pulled_.id());
-  glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(3 * own_count_));
+  glDrawArrays(GL_TRIANGLES, 0,
+               static_cast<GLsizei>(static_cast<size_t>(vertices_per_triangle) * own_count_));
 }
 
 void SceneBuffers::bind_storage() const {

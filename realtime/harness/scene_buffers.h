@@ -37,9 +37,9 @@ class SceneBuffers {
   void draw() const;
   /// The same of these triangles alone, in one call; gl_PrimitiveID starts anew in each range.
   void draw(const IndexRanges& ranges) const;
-  /// One draw of three vertices for each triangle of the scene's own, without attributes, for shaders that pull from the
+  /// One draw of so many vertices for each triangle of the scene's own, without attributes, for shaders that pull from the
   /// storage buffers.
-  void draw_pulled() const;
+  void draw_pulled(int vertices_per_triangle = 3) const;
   /// Null for a scene without.
   const InstanceBuffers* instances() const { return instances_.get(); }
   /// The triangles with holes; null for a scene without.

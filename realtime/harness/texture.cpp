@@ -12,10 +12,12 @@ namespace umbrameter {
 
 namespace {
 
-constexpr std::array<TextureFormat, 17> kFormats = {{
+constexpr std::array<TextureFormat, 19> kFormats = {{
     {"depth32f", GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, 1, 4, true, false},
     {"depth24", GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_FLOAT, 1, 4, true, false},
     {"depth16", GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT, GL_FLOAT, 1, 2, true, false},
+    {"depth24_stencil8", GL_DEPTH24_STENCIL8, GL_DEPTH_COMPONENT, GL_FLOAT, 1, 4, true, false},
+    {"depth32f_stencil8", GL_DEPTH32F_STENCIL8, GL_DEPTH_COMPONENT, GL_FLOAT, 1, 8, true, false},
     {"r8", GL_R8, GL_RED, GL_FLOAT, 1, 1, false, false},
     {"r16", GL_R16, GL_RED, GL_FLOAT, 1, 2, false, false},
     {"r16f", GL_R16F, GL_RED, GL_FLOAT, 1, 2, false, false},
@@ -92,6 +94,10 @@ int full_chain_levels(int width, int height) {
 
 std::span<const TextureFormat> texture_formats() {
   return kFormats;
+}
+
+bool has_stencil(const TextureFormat& format) {
+  return format.internal_format == GL_DEPTH24_STENCIL8 || format.internal_format == GL_DEPTH32F_STENCIL8;
 }
 
 const TextureFormat& find_texture_format(std::string_view name, const FileLocation& where) {
@@ -172,14 +178,13 @@ void clear_texture(const Texture& texture, std::span<const double> value) {
   UMBRAMETER_ASSERT(!value.empty(), "{} values to clear with", value.size());
   const auto at = [&](size_t i) { return value[std::min(i, value.size() - 1)]; };
   const TextureFormat& format = texture.format();
-  if (format.is_integer) {
-    const std::array<GLuint, 2> texel = {static_cast<GLuint>(at(0)), static_cast<GLuint>(at(1))};
-    glClearTexImage(texture.id(), 0, format.format, format.type, texel.data());
-    return;
-  }
-  const std::array<float, 4> texel = {static_cast<float>(at(0)), static_cast<float>(at(1)),
-                                      static_cast<float>(at(2)), static_cast<float>(at(3))};
-  glClearTexImage(texture.id(), 0, format.format, format.type, texel.data());
+  const std::array<GLuint, 2> integers = {static_cast<GLuint>(at(0)), static_cast<GLuint>(at(1))};
+  const std::array<float, 4> floats = {static_cast<float>(at(0)), static_cast<float>(at(1)),
+                                       static_cast<float>(at(2)), static_cast<float>(at(3))};
+  const void* texel = floats.data();
+  if (format.is_integer) texel = integers.data();
+  for (int level = 0; level < texture.levels(); ++level)
+    glClearTexImage(texture.id(), level, format.format, format.type, texel);
 }
 
 }  // namespace umbrameter

@@ -29,7 +29,7 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 
 /// Blending adds to what is there, and drawing triangles leaves it between them.
 bool keeps_contents(const PassDeclaration& pass) {
-  return !pass.state.clear && (pass.kind == PassKind::scene || pass.state.blend != BlendMode::none);
+  return !pass.state.clear && (leaves_texels_out(pass) || pass.state.blend != BlendMode::none);
 }
 
 [[noreturn]] void fail(const PassDeclaration& pass, std::string_view does, const std::string& name) {

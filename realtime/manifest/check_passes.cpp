@@ -216,6 +216,8 @@ class PassChecker {
     const auto resource = std::ranges::find(technique_.resources, base, &ResourceDeclaration::name);
     if (resource != technique_.resources.end() && !resource->samples.is_empty())
       fail(pass, fmt::format("reads '{}', which is multisampled", name), "leave out 'samples'");
+    if (resource != technique_.resources.end() && has_stencil(*formats_.at(base)))
+      fail(pass, fmt::format("reads '{}', which has a stencil", name), "take a format without");
     reads_history_ = true;
     read_.insert(base);
   }
@@ -257,6 +259,7 @@ class PassChecker {
       check_contents(pass, name);
     }
     if (pass.kind != PassKind::mipmap) check_layer(pass);
+    if (pass.kind != PassKind::mipmap) check_state(pass);
     if (depths > 1) fail(pass, "writes more than one depth resource");
     if (colors > kMaxColors) fail(pass, fmt::format("writes more than {} colour resources", kMaxColors));
     if (colors > 0 && pass.fragment.empty()) fail(pass, "writes colour without a 'fragment' shader");
@@ -280,8 +283,21 @@ class PassChecker {
     if (pass.state.clear || written_.contains(name)) return;
     if (pass.state.blend != BlendMode::none)
       fail(pass, fmt::format("blends into '{}' before anything is in it", name), "add 'clear'");
-    if (pass.kind == PassKind::scene)
+    if (leaves_texels_out(pass))
       fail(pass, fmt::format("draws into '{}' before anything is in it", name), "add 'clear'");
+  }
+
+  void check_state(const PassDeclaration& pass) const {
+    const PassState& state = pass.state;
+    const auto depth = std::ranges::find_if(
+        pass.writes, [&](const std::string& name) { return formats_.at(name)->is_depth; });
+    const bool has_depth = depth != pass.writes.end();
+    if ((state.stencil || state.clear_stencil) && (!has_depth || !has_stencil(*formats_.at(*depth))))
+      fail(pass, "uses a stencil, but writes no format that has one", "depth24_stencil8 or depth32f_stencil8");
+    if ((state.depth_test || !state.depth_write) && !has_depth)
+      fail(pass, "says how depth is tested, but writes none", "list a depth resource in 'writes'");
+    if (state.blend != BlendMode::add && state.blend_factors != PassState{}.blend_factors)
+      fail(pass, "has 'blend_factors', which only blend = \"add\" takes");
   }
 
   void check_resources() const {
@@ -325,6 +341,10 @@ class PassChecker {
 };
 
 }  // namespace
+
+bool leaves_texels_out(const PassDeclaration& pass) {
+  return pass.kind == PassKind::scene || pass.state.stencil || pass.state.depth_test;
+}
 
 void check_passes(const Technique& technique) {
   check_identifiers(technique);

@@ -11,6 +11,9 @@ namespace umbrameter {
 /// unused, `visibility` written. Error{input} at the first fault.
 void check_passes(const Technique& technique);
 
+/// Whether a pass may leave some of what it writes as it was: triangles do between them, tests where they fail.
+bool leaves_texels_out(const PassDeclaration& pass);
+
 /// Nothing of an earlier frame but what passes with `once` wrote: each other read, and each drawing over what is there,
 /// follows a write of the same frame. Error{input} at the first that does not.
 void check_frames(const Technique& technique);

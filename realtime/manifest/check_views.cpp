@@ -21,12 +21,13 @@ void check_coverage(const Technique& technique, const ViewDeclaration& view) {
   const auto fail_view = [&](const std::string& message, const std::string& hint) {
     fail_input(fmt::format("view '{}' {}", view.name, message), view.where, hint);
   };
-  if (view.from == ViewOrigin::light_face && technique.supports(LightType::sun))
-    fail_view("looks through the faces of a cube, which a sun has not", "leave \"sun\" out of 'lights'");
+  const bool is_around = view.from == ViewOrigin::light_face || view.from == ViewOrigin::light_half;
+  if (is_around && technique.supports(LightType::sun))
+    fail_view("looks all around the light, which a sun has no place for", "leave \"sun\" out of 'lights'");
   const bool is_sun_only = technique.lights.size() == 1 && technique.supports(LightType::sun);
   if (view.slice_world && !is_sun_only)
     fail_view("covers a slice of the frustum, which only a sun's can", "lights = [\"sun\"]");
-  if (view.from == ViewOrigin::light_face) return;
+  if (is_around) return;
   for (const LightFit fit : fits_of(technique, view)) {
     const std::string& name = light_fits()[static_cast<size_t>(fit)];
     if (view.slice_world && !follows_slice(fit))

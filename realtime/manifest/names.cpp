@@ -9,8 +9,9 @@
 namespace umbrameter {
 
 std::span<const std::string> builtin_reads() {
-  static const std::array<std::string, 4> reads = {"gbuffer.position", "gbuffer.normal",
-                                                   "gbuffer.shading_normal", "gbuffer.primitive_id"};
+  static const std::array<std::string, 5> reads = {"gbuffer.position", "gbuffer.normal",
+                                                   "gbuffer.shading_normal", "gbuffer.primitive_id",
+                                                   "gbuffer.depth"};
   return reads;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Views through the faces of the cube around a light.
+// Views of all that lies around a light: the faces of a cube, two paraboloids.
 #include "realtime/views/nearest_caster.h"
 #include "realtime/views/view_parts.h"
 
@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace umbrameter {
 namespace {
@@ -44,6 +45,17 @@ DistanceRange cube_range(const Scene& scene) {
     near = nearest_caster_perspective(scene, from_world, kFaceBounds, floor, near);
   }
   return {near * (1.0 - kNearShare), far};
+}
+
+LightView fit_half_view(const Scene& scene, int half, const DistanceRange& range) {
+  const Light& light = scene.light();
+  const LightFrame own = frame_along(light.center_world, light.direction_world, light.tangent_world);
+  const double side = half == 0 ? 1.0 : -1.0;  // half a turn about x
+  const LightFrame frame{own.origin_world, own.x_world, side * own.y_world, side * own.z_world};
+  // Along directions things are no nearer than along the axis of their face, and at most as far as that face's corner.
+  LightView view = make_view(frame, kFaceBounds, range.near_world, std::sqrt(3.0) * range.far_world, false);
+  view.is_paraboloid = true;
+  return view;
 }
 
 LightView fit_face_view(const Scene& scene, int face, const DistanceRange& range) {

@@ -203,6 +203,7 @@ glm::dvec4 camera_axis(const Camera& camera) {
 bool covers(const LightView& view, const glm::dvec3& p_world) {
   const double along_axis = glm::dot(view.camera_axis, glm::dvec4(p_world, 1.0));
   if (view.slice && (along_axis < view.slice->near_world || along_axis > view.slice->far_world)) return false;
+  if (view.is_paraboloid) return (glm::dmat4(view.light_from_world) * glm::dvec4(p_world, 1.0)).z >= 0.0;
   const glm::dvec3 p = lateral_and_distance(view, p_world);
   if (!view.is_orthographic && p.z <= 0.0) return false;
   const glm::dvec4 bounds(view.lateral_bounds);
@@ -212,6 +213,10 @@ bool covers(const LightView& view, const glm::dvec3& p_world) {
 glm::dvec3 lateral_and_distance(const LightView& view, const glm::dvec3& p_world) {
   const glm::dvec3 p_light(glm::dmat4(view.light_from_world) * glm::dvec4(p_world, 1.0));
   if (view.is_orthographic) return p_light;
+  if (view.is_paraboloid) {
+    const double distance = glm::length(p_light);
+    return {p_light.x / (distance + p_light.z), p_light.y / (distance + p_light.z), distance};
+  }
   return {p_light.x / p_light.z, p_light.y / p_light.z, p_light.z};
 }
 

@@ -39,6 +39,7 @@ struct LightView {
   float near_world = 0.0f;
   float far_world = 0.0f;
   bool is_orthographic = false;
+  bool is_paraboloid = false;  // lateral: d.xy / (1 + d.z) of the unit direction d; distances run along it
   std::optional<CameraSlice> slice;  // what of the camera's frustum it covers, if that is not all
   glm::dvec4 camera_axis{0.0};       // with a slice: dot(camera_axis, (p_world, 1)) is the distance along it
 };
@@ -85,6 +86,10 @@ DistanceRange cube_range(const Scene& scene);
 /// The view from the light's centre through one face, 0 to 5: the right angle around +x, -x, +y, -y, +z, -z of the world,
 /// turned and mirrored as GL samples the face of a cube map.
 LightView fit_face_view(const Scene& scene, int face, const DistanceRange& range);
+
+/// The view from the light's centre that holds the half of all directions around its own (0), or the other (1), as a paraboloid
+/// reflects them. Has no clip_from_light: shaders of its own draw it (realtime/shaders/paraboloid).
+LightView fit_half_view(const Scene& scene, int half, const DistanceRange& range);
 
 /// The view with a map that moves in whole texels only when the camera does: its width takes steps of 2^(1/4) and its
 /// corner lies on a multiple of a texel.

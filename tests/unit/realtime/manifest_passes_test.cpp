@@ -169,9 +169,9 @@ TEST(Manifest, PassesSayWhichOfAFamilyOfViewsTheyDrawFrom) {
 
 TEST(Manifest, FacesAndSlicesFitTheirLights) {
   EXPECT_THAT(error_after("from = \"light.center\"\nfit = \"map_fit\"", "from = \"light.face(0)\""),
-              HasSubstr("looks through the faces of a cube, which a sun has not"));
+              HasSubstr("looks all around the light, which a sun has no place for"));
   EXPECT_THAT(error_after("from = \"light.center\"", "from = \"light.face(0)\""),
-              AllOf(HasSubstr("a face of the light's cube has no 'fit'"), HasSubstr("leave it out")));
+              AllOf(HasSubstr("a view all around the light has no 'fit'"), HasSubstr("leave it out")));
   EXPECT_THAT(error_after("from = \"light.center\"", "from = \"light.side(0)\""),
               HasSubstr("light.face(<expression>)"));
   EXPECT_THAT(error_after("size = \"map_size\"\n\n[[resource]]",

@@ -38,7 +38,7 @@ TEST(SceneLibrary, EveryBuiltInSceneLoadsWithoutWarnings) {
     for (const Light& light : scene.lights) types.insert(light.type);
     ++count;
   }
-  EXPECT_EQ(count, 16u);
+  EXPECT_EQ(count, 18u);
   EXPECT_EQ(types.size(), 4u) << "each light type occurs";
 }
 
