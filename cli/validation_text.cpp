@@ -218,11 +218,11 @@ std::string work_line(const WorkDone& work) {
 }
 
 std::string validation_text(const Results& results, bool with_details) {
-  return fmt::format("quality {}, {} x {} px, {} samples per pixel, seed {}\n\n{}\n{}{}{}{}{}{}{}",
-                     results.quality, results.picture.width_px, results.picture.height_px,
-                     results.picture.samples_per_pixel, results.picture.seed, table(results),
-                     model_gaps(results), histories(results), causes(results), with_details ? details(results) : "",
-                     findings(results), warning_list(results), skip_list(results));
+  return fmt::format(
+      "quality {}, {} x {} px, {} samples per pixel, seed {}\n\n{}\n{}{}{}{}{}{}{}", results.quality,
+      results.picture.width_px, results.picture.height_px, results.picture.samples_per_pixel,
+      results.picture.seed, table(results), model_gaps(results), histories(results), causes(results),
+      with_details ? details(results) : "", findings(results), warning_list(results), skip_list(results));
 }
 
 }  // namespace umbrameter

@@ -39,8 +39,8 @@ void measure_history(const SceneContext& context, const Image& reference, Techni
     std::vector<StillPicture> pictures;
     for (size_t i = 0; i < frames.size(); ++i) pictures.push_back({frames[i], &images[i]});
     const bool has_moved = run.result.motion != Motion{}.name;
-    run.result.measured = measure_rows(
-        {run.frame.image, reference, run.mask, has_moved ? &images.back() : nullptr, pictures});
+    run.result.measured =
+        measure_rows({run.frame.image, reference, run.mask, has_moved ? &images.back() : nullptr, pictures});
   });
   if (failure) run.result.warnings.push_back("not measured over frames: " + failure->message);
 }

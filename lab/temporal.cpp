@@ -87,8 +87,7 @@ Sequence render_sequence(const SceneContext& context, std::string_view motion, c
   sequence.references.push_back(only(reference, kReferenceChannels));
   for (int k = 1; k < context.plan.temporal_frames; ++k) {
     sequence.scenes.push_back(scene_at(stage, k, request.height_px));
-    const Frame frame =
-        context.renderers.reference.render(sequence.scenes.back(), request, context.progress);
+    const Frame frame = context.renderers.reference.render(sequence.scenes.back(), request, context.progress);
     sequence.references.push_back(only(frame.image, kReferenceChannels));
   }
   return sequence;

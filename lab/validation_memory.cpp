@@ -102,7 +102,8 @@ bool is_final(const TechniqueResult& run) {
 
 std::string key_of(const std::string& reference, const TechniqueFrame& run, const ValidationPlan& plan,
                    const Makers& makers) {
-  return moved_run_key(run_key(reference, run.technique, plan.picture.seed, plan.metrics, makers), plan.motion);
+  return moved_run_key(run_key(reference, run.technique, plan.picture.seed, plan.metrics, makers),
+                       plan.motion);
 }
 
 }  // namespace

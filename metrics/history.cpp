@@ -43,7 +43,8 @@ std::optional<double> measure_ghosting(const Image& test, const Image& still, co
 
 std::optional<double> measure_convergence(std::span<const StillPicture> pictures, const Image& reference,
                                           std::span<const uint8_t> mask) {
-  if (pictures.size() < 2) fail_input(fmt::format("{} pictures tell nothing of convergence", pictures.size()));
+  if (pictures.size() < 2)
+    fail_input(fmt::format("{} pictures tell nothing of convergence", pictures.size()));
   std::vector<double> errors;
   for (const StillPicture& picture : pictures) {
     const auto product = error_product(*picture.test, reference, mask);

@@ -270,9 +270,8 @@ class GlRenderer final : public Renderer {
     if (declared.has_history()) run->motion = scene.motion.name;
     const Scene before = scene_at(scene, is_first ? 0 : -1, request.height_px);
     if (!is_first) run->previous_picture = picture_in(before, scene, request);
-    const RunInputs inputs =
-        inputs_of(*run, scene, *run->scene, *run->picture, request, run->frames_before,
-                  is_first ? nullptr : &before.camera, run->previous_picture.get());
+    const RunInputs inputs = inputs_of(*run, scene, *run->scene, *run->picture, request, run->frames_before,
+                                       is_first ? nullptr : &before.camera, run->previous_picture.get());
     if (request.blocker_truth != nullptr)
       run->blocker_truth = upload_blocker_truth(*request.blocker_truth, request.width_px, request.height_px);
     run->plan = make_plan(inputs, programs_);

@@ -41,7 +41,7 @@ struct MetricInputs {
   const Image& reference;
   std::span<const uint8_t> mask;
   // Of a technique with history (lab/history.h); none of others.
-  const Image* still = nullptr;                        // where something moved: the picture if nothing had
+  const Image* still = nullptr;                       // where something moved: the picture if nothing had
   std::span<const StillPicture> still_pictures = {};  // after ever more frames
 };
 

@@ -28,7 +28,8 @@ std::vector<Metric> measured_rows() {
        .label = "ghosting",
        .group = "over time",
        .unit = "visibility",
-       .doc = "root mean square of V - R that the motion of earlier frames leaves in the last, beyond that of the "
+       .doc = "root mean square of V - R that the motion of earlier frames leaves in the last, beyond that "
+              "of the "
               "same frame where nothing moved",
        .better = Better::nearest_zero,
        .form = MetricForm::signed_error,
@@ -45,9 +46,8 @@ std::vector<Metric> measured_rows() {
        .form = MetricForm::number,
        .measure =
            [](const MetricInputs& in) {
-             return in.still_pictures.empty()
-                        ? std::nullopt
-                        : measure_convergence(in.still_pictures, in.reference, in.mask);
+             return in.still_pictures.empty() ? std::nullopt
+                                              : measure_convergence(in.still_pictures, in.reference, in.mask);
            }},
   };
   for (Metric& row : rows) {

@@ -71,7 +71,7 @@ Scene parse_scene(std::string_view document, const std::filesystem::path& file, 
   scene.lights = read_lights(reader);
   reader.has("mesh");  // a known key
   const TomlNode* motion = reader.find("motion");
-  reader.finish();     // unknown keys are reported before large files are read
+  reader.finish();  // unknown keys are reported before large files are read
   const std::vector<const TomlNode*> tables = reader.tables("mesh");
   if (tables.empty()) reader.fail("mesh", "there is no mesh", "add a [[mesh]] table");
   std::vector<NamedMesh> meshes = read_meshes(tables, file.parent_path(), search, scene.warnings);

@@ -91,9 +91,8 @@ Motion object_motion(const Scene& scene) {
   if (scene.motion.object.empty())
     fail_input(fmt::format("scene '{}' does not say which object moves", scene.name), scene.source,
                "add [motion] with 'object' and 'object_step'");
-  return {.name = "object",
-          .object = scene.motion.object,
-          .object_step_world = scene.motion.object_step_world};
+  return {
+      .name = "object", .object = scene.motion.object, .object_step_world = scene.motion.object_step_world};
 }
 
 Motion script_of(const Scene& scene) {

@@ -25,7 +25,8 @@ struct Motion {
   double sun_step_rad = 0.0;          // turns the active sun about its bitangent
   std::string object = {};            // a part of the scene
   glm::dvec3 object_step_world{0.0};
-  std::optional<int> frames_before = {};  // drawn before the last one, instead of as many as the technique asks for
+  std::optional<int> frames_before =
+      {};  // drawn before the last one, instead of as many as the technique asks for
 };
 
 /// "still", "pan", "cut", "light", "object", "script".

@@ -13,7 +13,8 @@ namespace {
 
 void read_object(TomlReader& reader, const Scene& scene, Motion& motion) {
   if (!reader.has("object")) {
-    if (reader.has("object_step")) reader.fail("object_step", "which object moves is not said", "add 'object'");
+    if (reader.has("object_step"))
+      reader.fail("object_step", "which object moves is not said", "add 'object'");
     return;
   }
   motion.object = reader.text("object");
@@ -46,9 +47,8 @@ Motion read_motion(const TomlNode& table, const Scene& scene) {
   read_object(reader, scene, motion);
   reader.finish();
   const glm::dvec3 still(0.0);
-  const bool moves = motion.is_cut || motion.camera_step_world != still ||
-                     motion.light_step_world != still || motion.sun_step_rad != 0.0 ||
-                     motion.object_step_world != still;
+  const bool moves = motion.is_cut || motion.camera_step_world != still || motion.light_step_world != still ||
+                     motion.sun_step_rad != 0.0 || motion.object_step_world != still;
   if (!moves)
     fail_input("the motion moves nothing", table.where,
                "camera_step, light_step, sun_step_deg, object with object_step, or cut = true");

@@ -50,8 +50,7 @@ void keep_unchanged(const RunContents& earlier, const RunContents& contents, Pla
       known[name] = std::move(texture);
   }
   const std::vector<bool> is_needed = needed_steps(contents, known);
-  for (size_t i = 0; i < is_needed.size(); ++i)
-    next.steps[contents.steps[i].step].is_kept = !is_needed[i];
+  for (size_t i = 0; i < is_needed.size(); ++i) next.steps[contents.steps[i].step].is_kept = !is_needed[i];
 }
 
 void clear_previous(const Technique& technique, const Plan& first) {

@@ -68,8 +68,8 @@ class Planner {
     if (!inputs_.technique.has_history()) return;
     const Camera& previous =
         inputs_.previous_camera == nullptr ? inputs_.scene.camera : *inputs_.previous_camera;
-    const HistoryData history = make_history_data(previous, inputs_.frame, inputs_.gbuffer.width(),
-                                                  inputs_.gbuffer.height());
+    const HistoryData history =
+        make_history_data(previous, inputs_.frame, inputs_.gbuffer.width(), inputs_.gbuffer.height());
     plan_.history_uniforms = store_.add(kHistoryBinding, &history, sizeof(history));
   }
 

@@ -25,9 +25,9 @@ struct Step {
   bool once = false;  // in the first frame only, untimed
   std::vector<UniformRange> uniforms;
   bool mirrors = false;
-  std::array<float, 2> polygon_offset{};  // factor, units
-  int vertices = 0;                       // that each triangle is drawn with and pulls; 0: its own three
-  std::shared_ptr<const IndexRanges> casters;          // of a scene pass; none: every triangle
+  std::array<float, 2> polygon_offset{};       // factor, units
+  int vertices = 0;                            // that each triangle is drawn with and pulls; 0: its own three
+  std::shared_ptr<const IndexRanges> casters;  // of a scene pass; none: every triangle
   std::shared_ptr<const InstanceSelection> instances;  // of a scene pass; none: all of them
   bool is_kept = false;  // what it would write is there from an earlier run: not drawn
 };
@@ -36,7 +36,7 @@ struct Plan {
   std::unique_ptr<Targets> targets;
   std::vector<PreparedPass> passes;
   std::vector<Step> steps;
-  std::vector<std::string> labels;  // of timers
+  std::vector<std::string> labels;           // of timers
   std::vector<UniformRange> frame_uniforms;  // the first is FrameData's
   std::optional<UniformRange> history_uniforms;
   Buffer uniforms;

@@ -126,10 +126,10 @@ std::shared_ptr<const Program> compile(const PassDeclaration& pass, const std::f
   prelude.takes_blocker_truth = inputs.takes_blocker_truth;
   if (around.vertices > 0) {
     const std::string pulled = pulled_prelude(around.vertices, drawn.has_holes, drawn.are_instances);
-    std::vector<ShaderFile> stages = {
-        {ShaderStage::vertex, vertex, vertex_prelude(prelude) + pulled}};
+    std::vector<ShaderFile> stages = {{ShaderStage::vertex, vertex, vertex_prelude(prelude) + pulled}};
     if (!pass.fragment.empty()) {
-      const auto file = find_shader(pass.fragment, inputs.technique.folder, inputs.shaders_folder, pass.where);
+      const auto file =
+          find_shader(pass.fragment, inputs.technique.folder, inputs.shaders_folder, pass.where);
       stages.push_back({ShaderStage::fragment, file, fragment_prelude(prelude) + pulled});
     }
     return programs.get(stages);
@@ -172,12 +172,14 @@ PreparedPass prepare_pass(const PassDeclaration& pass, const WritePlace& place, 
       return compile(pass, vertex, inputs, targets, around, drawn, programs);
     };
     const InstanceBuffers* instances = inputs.scene_buffers.instances();
-    if (!pulls && inputs.scene_buffers.cutouts() != nullptr) prepared.cutout_program = compile_for({true, false});
+    if (!pulls && inputs.scene_buffers.cutouts() != nullptr)
+      prepared.cutout_program = compile_for({true, false});
     if (instances != nullptr) prepared.instance_program = compile_for({pulls_holes, true});
     if (!pulls && instances != nullptr && instances->has_holes())
       prepared.instance_cutout_program = compile_for({true, true});
   }
-  prepared.may_cull_casters = pass.kind == PassKind::scene && !pulls && !prepared.program->names_primitive_id() &&
+  prepared.may_cull_casters = pass.kind == PassKind::scene && !pulls &&
+                              !prepared.program->names_primitive_id() &&
                               vertex.parent_path() == inputs.shaders_folder / "lib";
   return prepared;
 }

@@ -32,7 +32,7 @@ struct RunInputs {
   glm::dvec4 receiver_plane_world{0, 1, 0, 0};
   uint64_t seed = 1;
   std::filesystem::path shaders_folder;
-  bool takes_blocker_truth = false;  // RenderRequest::blocker_truth
+  bool takes_blocker_truth = false;           // RenderRequest::blocker_truth
   int frame = 0;                              // counted from the first that is drawn
   const Camera* previous_camera = nullptr;    // of the frame before; null in the first
   const GBuffer* previous_gbuffer = nullptr;  // the same

@@ -84,8 +84,8 @@ void Targets::add_resource(const ResourceDeclaration& resource, const std::strin
   const int layers = layer_count(resource, variables);
   const FileLocation& where = resource.width.where();
   const auto make = [&](Textures& textures, const TextureShape& shape) {
-    auto texture = std::make_shared<const Texture>(
-        Texture::declared(format, width, height, name, where, shape));
+    auto texture =
+        std::make_shared<const Texture>(Texture::declared(format, width, height, name, where, shape));
     return textures.insert_or_assign(name, std::move(texture)).first->second.get();
   };
   Target target;

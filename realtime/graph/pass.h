@@ -30,7 +30,7 @@ enum class BlendFactor {
   one_minus_source_alpha
 };
 /// Against what is stored, in reversed depth: greater is nearer.
-enum class Comparison { never, less, less_or_equal, equal, unequal, greater_or_equal, greater, always };
+enum class CompareFunction { never, less, less_or_equal, equal, unequal, greater_or_equal, greater, always };
 enum class StencilAction {
   keep,
   zero,
@@ -50,7 +50,7 @@ struct StencilFace {
 };
 
 struct StencilState {
-  Comparison test = Comparison::always;  // of `reference` with what is stored
+  CompareFunction test = CompareFunction::always;  // of `reference` with what is stored
   int reference = 0;
   int mask = 255;
   StencilFace front, back;
@@ -60,9 +60,10 @@ struct StencilState {
 struct PassState {
   CullMode cull = CullMode::none;
   BlendMode blend = BlendMode::none;
-  std::array<BlendFactor, 2> blend_factors{BlendFactor::one, BlendFactor::one};  // of what is drawn, what is there
+  std::array<BlendFactor, 2> blend_factors{BlendFactor::one,
+                                           BlendFactor::one};  // of what is drawn, what is there
   std::array<bool, 4> writes_channel{true, true, true, true};
-  std::optional<Comparison> depth_test;  // greater in scene passes, always in fullscreen ones
+  std::optional<CompareFunction> depth_test;  // greater in scene passes, always in fullscreen ones
   bool depth_write = true;
   std::optional<std::array<Expression, 2>> polygon_offset;  // glPolygonOffset's factor and units
   std::optional<StencilState> stencil;
@@ -78,7 +79,7 @@ struct PassDeclaration {
   std::string view;              // scene: view to render from
   Expression view_index;         // which member when that is a family of views
   std::string vertex, fragment;  // files in the folder or in shaders/; scene passes may leave fragment empty
-  Expression vertices;           // scene: that each triangle is drawn with, without attributes; empty: its own three
+  Expression vertices;  // scene: that each triangle is drawn with, without attributes; empty: its own three
   std::vector<std::string> reads;   // resource names or built-ins (gbuffer.position, ...)
   std::vector<std::string> writes;  // resource names, or "visibility"
   std::vector<std::string> views;   // views whose block the shaders see

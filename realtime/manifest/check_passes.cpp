@@ -293,7 +293,8 @@ class PassChecker {
         pass.writes, [&](const std::string& name) { return formats_.at(name)->is_depth; });
     const bool has_depth = depth != pass.writes.end();
     if ((state.stencil || state.clear_stencil) && (!has_depth || !has_stencil(*formats_.at(*depth))))
-      fail(pass, "uses a stencil, but writes no format that has one", "depth24_stencil8 or depth32f_stencil8");
+      fail(pass, "uses a stencil, but writes no format that has one",
+           "depth24_stencil8 or depth32f_stencil8");
     if ((state.depth_test || !state.depth_write) && !has_depth)
       fail(pass, "says how depth is tested, but writes none", "list a depth resource in 'writes'");
     if (state.blend != BlendMode::add && state.blend_factors != PassState{}.blend_factors)

@@ -29,6 +29,12 @@ Expression require_expression(Manifest& manifest, TomlReader& reader, const std:
 std::array<Expression, 2> read_expression_pair(Manifest& manifest, TomlReader& reader, const std::string& key,
                                                const Names& scope);
 
+/// The enumerator that `key` names, the first one when it is absent.
+template <class Enum, size_t n>
+Enum read_enum(TomlReader& reader, const std::string& key, const std::array<std::string, n>& names) {
+  return static_cast<Enum>(reader.choice(key, names, 0));
+}
+
 /// One to four finite numbers.
 std::vector<double> read_numbers(TomlReader& reader, const std::string& key);
 
@@ -38,6 +44,9 @@ ResourceDeclaration read_resource(Manifest& manifest, const TomlNode& table, con
 ViewDeclaration read_view(Manifest& manifest, const TomlNode& table, const Names& scope,
                           const Names& family_scope);
 PassDeclaration read_pass(Manifest& manifest, const TomlNode& table, const Names& scope, int loop_depth);
+
+/// Of a pass that draws; `is_scene`: triangles, which offsets move.
+PassState read_state(Manifest& manifest, TomlReader& reader, bool is_scene, const Names& scope);
 
 /// The variables of all loops, and their counts.
 void collect_loop_variables(const std::vector<PassDeclaration>& passes, Names& names);

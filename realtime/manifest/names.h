@@ -20,7 +20,9 @@ inline constexpr std::string_view kVisibility = "visibility";
 
 /// "previous.<resource or built-in>": a read of what it held at the end of the frame before.
 inline constexpr std::string_view kPrevious = "previous.";
-inline bool is_previous(std::string_view read) { return read.starts_with(kPrevious); }
+inline bool is_previous(std::string_view read) {
+  return read.starts_with(kPrevious);
+}
 /// The resource or built-in behind a read, of this frame or the one before.
 inline std::string_view without_previous(std::string_view read) {
   return is_previous(read) ? read.substr(kPrevious.size()) : read;

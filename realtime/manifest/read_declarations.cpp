@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/names.h"
 #include "realtime/manifest/manifest_parts.h"
 #include "realtime/views/light_view.h"
 
@@ -14,23 +13,6 @@ const std::array<std::string, 3> kTextureKinds = {"2d", "array", "cube"};
 const std::array<std::string, 3> kFilters = {"nearest", "linear", "mipmap"};
 const std::array<std::string, 3> kWraps = {"border", "clamp", "repeat"};
 const std::array<std::string, 4> kPassKinds = {"scene", "fullscreen", "mipmap", "loop"};
-const std::array<std::string, 3> kCulls = {"none", "back", "front"};
-const std::array<std::string, 4> kBlends = {"none", "add", "min", "max"};
-const std::array<std::string, 8> kBlendFactors = {"zero",         "one",
-                                                  "source_color", "one_minus_source_color",
-                                                  "target_color", "one_minus_target_color",
-                                                  "source_alpha", "one_minus_source_alpha"};
-const std::array<std::string, 8> kComparisons = {
-    "never", "less", "less_or_equal", "equal", "unequal", "greater_or_equal", "greater", "always"};
-const std::array<std::string, 8> kStencilActions = {
-    "keep", "zero", "replace", "increment", "increment_wrap", "decrement", "decrement_wrap", "invert"};
-
-/// The enumerator that `key` names, the first one when it is absent.
-template <class Enum, size_t n>
-Enum read_enum(TomlReader& reader, const std::string& key, const std::array<std::string, n>& names) {
-  return static_cast<Enum>(reader.choice(key, names, 0));
-}
-
 /// "light.center", or one of the others with the expression between its brackets.
 void read_origin(Manifest& manifest, TomlReader& reader, ViewDeclaration& view, const Names& scope) {
   const std::string from = reader.text("from", "light.center");
@@ -104,91 +86,6 @@ void read_coverage(Manifest& manifest, TomlReader& reader, ViewDeclaration& view
   view.slice_world = read_expression_pair(manifest, reader, "slice_world", scope);
 }
 
-/// `count` enumerators that a list of texts names; `fallback` when the key is absent.
-template <class Enum, size_t count, size_t n>
-std::array<Enum, count> read_enums(TomlReader& reader, const std::string& key,
-                                   const std::array<std::string, n>& names,
-                                   const std::array<Enum, count>& fallback) {
-  if (!reader.has(key)) return fallback;
-  const std::vector<std::string> texts = reader.texts(key);
-  if (texts.size() != count)
-    reader.fail(key, fmt::format("'{}' has {} entries", key, texts.size()), fmt::format("{}", count));
-  std::array<Enum, count> values{};
-  for (size_t i = 0; i < count; ++i) {
-    const auto found = std::ranges::find(names, texts[i]);
-    if (found == names.end())
-      reader.fail(key, fmt::format("unknown name '{}' in '{}'", texts[i], key), suggest_name(texts[i], names));
-    values[i] = static_cast<Enum>(found - names.begin());
-  }
-  return values;
-}
-
-int read_stencil_value(TomlReader& reader, const std::string& key, int64_t fallback) {
-  const int64_t value = reader.integer(key, fallback);
-  if (value < 0 || value > 255) reader.fail(key, fmt::format("'{}' = {} is no stencil", key, value), "0 to 255");
-  return static_cast<int>(value);
-}
-
-StencilState read_stencil(const TomlNode& table) {
-  TomlReader reader(table, "[pass.stencil]");
-  StencilState stencil;
-  constexpr size_t kAlways = 7;
-  stencil.test = static_cast<Comparison>(reader.choice("test", kComparisons, kAlways));
-  stencil.reference = read_stencil_value(reader, "reference", 0);
-  stencil.mask = read_stencil_value(reader, "mask", 255);
-  using Actions = std::array<StencilAction, 3>;
-  const Actions front = read_enums(reader, "front", kStencilActions, Actions{});
-  const Actions back = read_enums(reader, "back", kStencilActions, front);
-  stencil.front = {front[0], front[1], front[2]};
-  stencil.back = {back[0], back[1], back[2]};
-  reader.finish();
-  return stencil;
-}
-
-/// "rg": those channels alone.
-std::array<bool, 4> read_channels(TomlReader& reader, const std::string& key) {
-  constexpr std::string_view kChannels = "rgba";
-  const std::string text = reader.text(key, std::string(kChannels));
-  std::array<bool, 4> writes{};
-  for (const char channel : text) {
-    const size_t k = kChannels.find(channel);
-    if (k == std::string_view::npos)
-      reader.fail(key, fmt::format("'{}' is no channel", channel), "any of r, g, b, a; \"\" for none");
-    writes[k] = true;
-  }
-  return writes;
-}
-
-/// Tests, masks and factors beyond culling and blending.
-void read_tests(Manifest& manifest, TomlReader& reader, PassState& state, bool is_scene, const Names& scope) {
-  state.blend_factors = read_enums(reader, "blend_factors", kBlendFactors, state.blend_factors);
-  state.writes_channel = read_channels(reader, "write_channels");
-  if (reader.has("depth_test"))
-    state.depth_test = static_cast<Comparison>(reader.choice("depth_test", kComparisons));
-  state.depth_write = reader.boolean("depth_write", true);
-  if (reader.has("polygon_offset")) {
-    if (!is_scene) reader.fail("polygon_offset", "only scene passes draw what can be offset");
-    state.polygon_offset = read_expression_pair(manifest, reader, "polygon_offset", scope);
-  }
-  if (const TomlNode* stencil = reader.find("stencil")) state.stencil = read_stencil(*stencil);
-  if (reader.has("clear_stencil")) state.clear_stencil = read_stencil_value(reader, "clear_stencil", 0);
-}
-
-PassState read_state(TomlReader& reader) {
-  PassState state;
-  state.cull = read_enum<CullMode>(reader, "cull", kCulls);
-  state.blend = read_enum<BlendMode>(reader, "blend", kBlends);
-  if (reader.has("clear")) state.clear = read_numbers(reader, "clear");
-  state.depth_clamp = reader.boolean("depth_clamp", true);
-  constexpr int64_t kMaxClipDistances = 8;  // the least a GL offers
-  const int64_t clip_distances = reader.integer("clip_distances", 0);
-  if (clip_distances < 0 || clip_distances > kMaxClipDistances)
-    reader.fail("clip_distances", fmt::format("{} clip distances are not possible", clip_distances),
-                "0 to 8");
-  state.clip_distances = static_cast<int>(clip_distances);
-  return state;
-}
-
 void read_loop(Manifest& manifest, TomlReader& reader, PassDeclaration& pass, Names scope, int depth) {
   constexpr int kMaxLoopDepth = 4;
   if (depth >= kMaxLoopDepth) reader.fail("kind", fmt::format("more than {} nested loops", kMaxLoopDepth));
@@ -210,7 +107,8 @@ void read_drawing(Manifest& manifest, TomlReader& reader, PassDeclaration& pass,
     pass.fragment = reader.text("fragment", "");
     pass.vertices = read_expression(manifest, reader, "vertices", scope);
     if (!pass.vertices.is_empty() && pass.vertex.empty())
-      reader.fail("vertices", fmt::format("pass '{}' needs a 'vertex' shader that pulls its triangles", pass.id),
+      reader.fail("vertices",
+                  fmt::format("pass '{}' needs a 'vertex' shader that pulls its triangles", pass.id),
                   "include \"pulled_triangle.glsl\" in one");
     if (pass.view.empty() && pass.vertex.empty()) {
       reader.fail("kind", fmt::format("pass '{}' needs a 'view' or a 'vertex' shader of its own", pass.id));
@@ -221,8 +119,7 @@ void read_drawing(Manifest& manifest, TomlReader& reader, PassDeclaration& pass,
   pass.reads = reader.texts("reads");
   pass.writes = reader.texts("writes");
   pass.views = reader.texts("views");
-  pass.state = read_state(reader);
-  read_tests(manifest, reader, pass.state, pass.kind == PassKind::scene, scope);
+  pass.state = read_state(manifest, reader, pass.kind == PassKind::scene, scope);
   pass.write_level = read_expression(manifest, reader, "write_level", scope);
   pass.write_layer = read_expression(manifest, reader, "write_layer", scope);
   pass.once = reader.boolean("once", false);

@@ -176,8 +176,7 @@ Manifest read_manifest(const std::filesystem::path& folder, const std::filesyste
     for (const TomlNode* table : source.tables("resource"))
       technique.resources.push_back(read_resource(manifest, *table, scope));
   });
-  if (technique.has_history())
-    scope.insert(scope.end(), frame_variables().begin(), frame_variables().end());
+  if (technique.has_history()) scope.insert(scope.end(), frame_variables().begin(), frame_variables().end());
   for_all([&](TomlReader& source) {
     for (const TomlNode* table : source.tables("pass"))
       technique.passes.push_back(read_pass(manifest, *table, scope, 0));

@@ -99,7 +99,9 @@ TEST_P(GoldenTechnique, LooksAsBefore) {
   expect_golden(visibility_of(frame), "contact_hardening-" + GetParam(), kRealtime);
 }
 
-INSTANTIATE_TEST_SUITE_P(BuiltIn, GoldenTechnique, testing::Values("hard", "pcf", "pcss", "accumulate"),
+INSTANTIATE_TEST_SUITE_P(BuiltIn, GoldenTechnique,
+                         testing::Values("hard", "pcf", "pcss", "accumulate", "pcf_temporal",
+                                         "pcss_temporal"),
                          [](const auto& instance) { return instance.param; });
 
 TEST(GoldenReference, ContactHardeningLooksAsBefore) {

@@ -56,7 +56,8 @@ class FixedState : public testing::Test {
     shader("camera.vert",
            "layout(location = 0) in vec3 p_world;\n"
            "void main() { gl_Position = frame.clip_from_world * vec4(p_world, 1.0); }");
-    shader("depth.frag", "void main() { gl_FragDepth = texelFetch(gbuffer_depth, ivec2(gl_FragCoord.xy), 0).r; }");
+    shader("depth.frag",
+           "void main() { gl_FragDepth = texelFetch(gbuffer_depth, ivec2(gl_FragCoord.xy), 0).r; }");
   }
 
   void write(const std::string& body) {
@@ -92,7 +93,8 @@ class FixedState : public testing::Test {
 
 /// Draws all triangles from the camera into `count`'s stencil, under its depth.
 std::string count_pass(const std::string& more) {
-  return "[[pass]]\nid = \"count\"\nkind = \"scene\"\nvertex = \"camera.vert\"\nwrites = [\"count\"]\n" + more;
+  return "[[pass]]\nid = \"count\"\nkind = \"scene\"\nvertex = \"camera.vert\"\nwrites = [\"count\"]\n" +
+         more;
 }
 
 TEST_F(FixedState, StencilsCountWhatPassesAndWhatFails) {
@@ -114,7 +116,8 @@ TEST_F(FixedState, StencilsCountWhatPassesAndWhatFails) {
   // Both floors face the camera: nothing is seen from behind.
   EXPECT_THAT(lit_where("front = [\"keep\", \"keep\", \"keep\"]\nback = [\"keep\", \"zero\", \"zero\"]\n", 3),
               Each(1.0f));
-  EXPECT_THAT(lit_where("test = \"less\"\nreference = 9\nfront = [\"zero\", \"keep\", \"keep\"]\n", 0), Each(1.0f));
+  EXPECT_THAT(lit_where("test = \"less\"\nreference = 9\nfront = [\"zero\", \"keep\", \"keep\"]\n", 0),
+              Each(1.0f));
   EXPECT_THAT(lit_where("mask = 12\nfront = [\"keep\", \"invert\", \"invert\"]\n", 3), Each(1.0f));
   EXPECT_THAT(lit_where("mask = 12\nfront = [\"keep\", \"keep\", \"invert\"]\n", 15), Each(1.0f));
 }
@@ -138,19 +141,23 @@ TEST_F(FixedState, TestsOfDepthChooseTheLayer) {
 
 TEST_F(FixedState, FactorsMultiplyAndChannelsStay) {
   write(full("half", "", "\"visibility\"") +
-        replaced(full("half", "", "\"visibility\"", "blend = \"add\"\nblend_factors = [\"zero\", \"source_color\"]\n"),
+        replaced(full("half", "", "\"visibility\"",
+                      "blend = \"add\"\nblend_factors = [\"zero\", \"source_color\"]\n"),
                  "id = \"half\"", "id = \"times\""));
   shader("times.frag", "void main() { out_visibility = 0.5; }");
   EXPECT_THAT(visibility(), Each(0.25f));
   write(full("half", "", "\"visibility\"") +
-        full("one", "", "\"visibility\"", "blend = \"add\"\nblend_factors = [\"one_minus_target_color\", \"one\"]\n"));
+        full("one", "", "\"visibility\"",
+             "blend = \"add\"\nblend_factors = [\"one_minus_target_color\", \"one\"]\n"));
   EXPECT_THAT(visibility(), Each(1.0f));
   write(resource("mixed", "rgba8") + full("fill", "", "\"mixed\"") +
-        full("over", "", "\"mixed\"", "write_channels = \"gb\"\n") + full("show", "\"mixed\"", "\"visibility\""));
+        full("over", "", "\"mixed\"", "write_channels = \"gb\"\n") +
+        full("show", "\"mixed\"", "\"visibility\""));
   shader("fill.frag", "void main() { out_mixed = vec4(1.0, 0.0, 0.0, 1.0); }");
   shader("over.frag", "void main() { out_mixed = vec4(0.0, 1.0, 0.0, 0.0); }");
   shader("show.frag",
-         "void main() { out_visibility = texelFetch(mixed, ivec2(0), 0) == vec4(1.0, 1.0, 0.0, 1.0) ? 1.0 : 0.0; }");
+         "void main() { out_visibility = texelFetch(mixed, ivec2(0), 0) == vec4(1.0, 1.0, 0.0, 1.0) ? 1.0 : "
+         "0.0; }");
   EXPECT_THAT(visibility(), Each(1.0f));
 }
 
@@ -163,7 +170,8 @@ TEST_F(FixedState, PolygonOffsetsPushSlopes) {
            resource("pushed", "depth32f", "width = 64\nheight = 64\n") +
            "[[view]]\nname = \"light\"\nfit = \"scene\"\nsize = 64\n"
            "[[pass]]\nid = \"plain\"\nkind = \"scene\"\nview = \"light\"\nwrites = [\"plain\"]\nclear = [0]\n"
-           "[[pass]]\nid = \"pushed\"\nkind = \"scene\"\nview = \"light\"\nwrites = [\"pushed\"]\nclear = [0]\n"
+           "[[pass]]\nid = \"pushed\"\nkind = \"scene\"\nview = \"light\"\nwrites = [\"pushed\"]\nclear = "
+           "[0]\n"
            "polygon_offset = [" +
            factor + ", 0]\n" + full("show", "\"plain\", \"pushed\"", "\"visibility\"");
   };
@@ -184,7 +192,8 @@ TEST_F(FixedState, VerticesPullTheTriangleTheyBelongTo) {
         resource("pulled", "depth32f", "width = 32\nheight = 32\n") +
         "[[view]]\nname = \"light\"\nfit = \"scene\"\nsize = 32\n"
         "[[pass]]\nid = \"map\"\nkind = \"scene\"\nview = \"light\"\nwrites = [\"map\"]\nclear = [0]\n"
-        "[[pass]]\nid = \"pulled\"\nkind = \"scene\"\nview = \"light\"\nvertex = \"pulled.vert\"\nvertices = 6\n"
+        "[[pass]]\nid = \"pulled\"\nkind = \"scene\"\nview = \"light\"\nvertex = \"pulled.vert\"\nvertices = "
+        "6\n"
         "writes = [\"pulled\"]\nclear = [0]\n" +
         full("show", "\"map\", \"pulled\"", "\"visibility\""));
   // Twice each triangle, the second time below all others.
@@ -194,13 +203,14 @@ TEST_F(FixedState, VerticesPullTheTriangleTheyBelongTo) {
          "  vec3 corners[3] = vec3[](t.a_world, t.b_world, t.c_world);\n"
          "  vec3 p = corners[pulled_vertex() % 3] - vec3(0.0, pulled_vertex() < 3 ? 0.0 : 0.25, 0.0);\n"
          "  gl_Position = VIEW.clip_from_light * (VIEW.light_from_world * vec4(p, 1.0));\n}");
-  shader("show.frag",
-         "void main() {\n"
-         "  int equal = 0;\n"
-         "  for (int i = 0; i < 1024; ++i) {\n"
-         "    ivec2 texel = ivec2(i % 32, i / 32);\n"
-         "    equal += abs(texelFetch(map, texel, 0).r - texelFetch(pulled, texel, 0).r) < 1e-6 ? 1 : 0;\n  }\n"
-         "  out_visibility = float(equal) / 1024.0;\n}");
+  shader(
+      "show.frag",
+      "void main() {\n"
+      "  int equal = 0;\n"
+      "  for (int i = 0; i < 1024; ++i) {\n"
+      "    ivec2 texel = ivec2(i % 32, i / 32);\n"
+      "    equal += abs(texelFetch(map, texel, 0).r - texelFetch(pulled, texel, 0).r) < 1e-6 ? 1 : 0;\n  }\n"
+      "  out_visibility = float(equal) / 1024.0;\n}");
   EXPECT_THAT(visibility(), Each(1.0f));
 }
 
@@ -213,7 +223,8 @@ TEST_F(FixedState, WhatDoesNotGoTogetherIsSaid) {
   EXPECT_THAT(error_with("[pass.stencil]\ntest = \"equal\"\n"),
               AllOf(HasSubstr("writes no format that has one"), HasSubstr("depth32f_stencil8")));
   EXPECT_THAT(error_with("[pass.stencil]\ntest = \"equall\"\n", "depth24_stencil8"), HasSubstr("'equal'"));
-  EXPECT_THAT(error_with("[pass.stencil]\nfront = [\"keep\"]\n", "depth24_stencil8"), HasSubstr("has 1 entries"));
+  EXPECT_THAT(error_with("[pass.stencil]\nfront = [\"keep\"]\n", "depth24_stencil8"),
+              HasSubstr("has 1 entries"));
   EXPECT_THAT(error_with("[pass.stencil]\nreference = 256\n", "depth24_stencil8"), HasSubstr("0 to 255"));
   EXPECT_THAT(error_with("write_channels = \"rx\"\n"), HasSubstr("'x' is no channel"));
   EXPECT_THAT(error_with("blend_factors = [\"one\", \"zero\"]\n"), HasSubstr("only blend = \"add\" takes"));

@@ -124,9 +124,8 @@ TEST_F(History, TheFrameThatCountsIsDrawnAgainAsItWas) {
 }
 
 TEST_F(History, WhatIsDrawnOnceIsThereInEveryFrame) {
-  const std::string table =
-      "[[resource]]\nname = \"table\"\nformat = \"r32f\"\nwidth = 1\nheight = 1\n" +
-      pass("fill", "", "\"table\"", "once = true\n");
+  const std::string table = "[[resource]]\nname = \"table\"\nformat = \"r32f\"\nwidth = 1\nheight = 1\n" +
+                            pass("fill", "", "\"table\"", "once = true\n");
   write(4, table + kState + pass("count", "\"previous.state\", \"table\"", "\"state\"") +
                pass("show", "\"state\"", "\"visibility\""));
   shader("fill.frag", "void main() { out_table = 0.125; }");
@@ -179,8 +178,7 @@ TEST_F(History, AMovingObjectWasElsewhere) {
 }
 
 TEST_F(History, AMovingLightMovesItsMap) {
-  write(1, kState +
-               "[[view]]\nname = \"light\"\nfit = \"scene\"\nsize = 64\n" +
+  write(1, kState + "[[view]]\nname = \"light\"\nfit = \"scene\"\nsize = 64\n" +
                pass("store", "", "\"state\"", "views = [\"light\"]\n") +
                pass("show", "\"state\", \"previous.state\"", "\"visibility\""));
   shader("store.frag", "void main() { out_state = vec4(view_light.light_from_world[3].xyz, 1.0); }");
@@ -204,7 +202,8 @@ TEST_F(History, MapsMoveAsideByTheFramesJitter) {
          "  vec4 way = (view_light.lateral_bounds - view_still.lateral_bounds) * 64.0;\n"
          "  vec2 texels = way.xy / (view_still.lateral_bounds.zw - view_still.lateral_bounds.xy);\n"
          "  bool right = distance(texels, history.jitter.xy) < 1e-3 && way.xy == way.zw;\n"
-         "  out_state = vec4(history.jitter.xy, right ? 1.0 : 0.0, texelFetch(previous_state, ivec2(0), 0).x);\n}");
+         "  out_state = vec4(history.jitter.xy, right ? 1.0 : 0.0, texelFetch(previous_state, ivec2(0), "
+         "0).x);\n}");
   shader("show.frag",
          "void main() {\n"
          "  vec4 s = texelFetch(state, ivec2(0), 0);\n"
@@ -213,9 +212,10 @@ TEST_F(History, MapsMoveAsideByTheFramesJitter) {
 }
 
 TEST_F(History, SizesStayTheSame) {
-  write(2, "[[resource]]\nname = \"state\"\nformat = \"r32f\"\nwidth = \"1 + floor(receivers.far)\"\nheight = 1\n" +
-               pass("count", "\"previous.state\"", "\"state\"") +
-               pass("show", "\"state\"", "\"visibility\""));
+  write(2,
+        "[[resource]]\nname = \"state\"\nformat = \"r32f\"\nwidth = \"1 + floor(receivers.far)\"\nheight = "
+        "1\n" +
+            pass("count", "\"previous.state\"", "\"state\"") + pass("show", "\"state\"", "\"visibility\""));
   shader("count.frag", "void main() { out_state = texelFetch(previous_state, ivec2(0), 0).r; }");
   shader("show.frag", "void main() { out_visibility = texelFetch(state, ivec2(0), 0).r; }");
   EXPECT_THAT(visibility(), Each(0.0f));

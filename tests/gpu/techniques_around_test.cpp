@@ -70,9 +70,11 @@ TEST(AroundTechniques, WideDisksOfComparisonsSoften) {
   UMBRAMETER_REQUIRE_GL();
   const Scene scene = room_around(sphere_light({0.1, 1.9, 0.05}, 0.1));
   const auto hard = visibility(scene, "hard_paraboloid", {{"half_size", int64_t{1024}}});
-  const auto none = visibility(scene, "pcf_paraboloid", {{"half_size", int64_t{1024}}, {"radius_texels", 0.0}});
+  const auto none =
+      visibility(scene, "pcf_paraboloid", {{"half_size", int64_t{1024}}, {"radius_texels", 0.0}});
   EXPECT_LT(largest_difference(hard, none), 1e-6);
-  const auto wide = visibility(scene, "pcf_paraboloid", {{"half_size", int64_t{1024}}, {"radius_texels", 8.0}});
+  const auto wide =
+      visibility(scene, "pcf_paraboloid", {{"half_size", int64_t{1024}}, {"radius_texels", 8.0}});
   const auto grey = std::count_if(wide.begin(), wide.end(), [](float v) { return v > 0.1f && v < 0.9f; });
   EXPECT_GT(grey, static_cast<long>(wide.size() / 50));
 }

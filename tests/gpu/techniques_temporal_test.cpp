@@ -72,6 +72,31 @@ TEST(TemporalTechniques, SoftShadowsOverFramesNearTheTruth) {
   EXPECT_LT(many, 0.025);
 }
 
+// A texel's middle lies anywhere within half a texel of the receiver: so does the edge that the mean over frames shows.
+TEST(TemporalTechniques, MovedMapsShowTheShareOfATexel) {
+  UMBRAMETER_REQUIRE_GL();
+  const Scene scene = half_plane_scene(light_at_4(LightType::disk, 0.02));
+  const auto render_over = [&](int64_t frames) {
+    return render(scene, "hard_temporal",
+                  {{"map_size", int64_t{64}},
+                   {"history_frames", frames},
+                   {"history_limit", std::string("none")},
+                   {"map_fit", std::string("scene")}});
+  };
+  const Frame one = render_over(1), many = render_over(128);
+  // All of the floor is as far along the light's axis: a texel is as wide everywhere. From the first floor pixel to the last.
+  const auto x = many.image.plane("position.x"), y = many.image.plane("position.y");
+  const auto u = many.image.plane("texel.x"), hit = many.image.plane("primitive_id");
+  std::vector<size_t> floor;
+  for (size_t i = 0; i < x.size(); ++i)
+    if (hit[i] >= 0.0f && std::abs(y[i]) < 1e-4f) floor.push_back(i);
+  const auto [low, high] = std::ranges::minmax(floor, {}, [&](size_t i) { return x[i]; });
+  const double texel = std::abs((double{x[high]} - double{x[low]}) / (double{u[high]} - double{u[low]}));
+  const auto ramp = [&](const glm::dvec3& p) { return std::clamp(0.5 + p.x / texel, 0.0, 1.0); };
+  EXPECT_LT(floor_error(many, ramp).rmse, 0.02);
+  EXPECT_GT(floor_error(one, ramp).rmse, 0.1);
+}
+
 /// How many frames the mean of each surface pixel is of.
 std::vector<float> frames_of(Scene scene, std::string_view motion, const ParameterValues& parameters) {
   const auto renderer = make_realtime_renderer(

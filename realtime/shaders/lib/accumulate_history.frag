@@ -51,15 +51,17 @@ History history_of(vec3 p_world, vec3 n_world) {
 float limited(float visibility) {
   if (HISTORY_LIMIT == HISTORY_LIMIT_NONE) return visibility;
   ivec2 px = ivec2(gl_FragCoord.xy);
+  const int kSide = 3;                 // const: as published
+  const float kPixels = float(kSide * kSide);
   float low = 1.0, high = 0.0, sum = 0.0, sum_squares = 0.0;
-  for (int i = 0; i < 9; ++i) {  // const: 3 x 3
-    ivec2 near = clamp(px + ivec2(i % 3, i / 3) - 1, ivec2(0), frame.screen_and_seed.xy - 1);
+  for (int i = 0; i < kSide * kSide; ++i) {
+    ivec2 near = clamp(px + ivec2(i % kSide, i / kSide) - 1, ivec2(0), frame.screen_and_seed.xy - 1);
     float v = texelFetch(current, near, 0).r;
     low = min(low, v), high = max(high, v), sum += v, sum_squares += v * v;
   }
   if (HISTORY_LIMIT == HISTORY_LIMIT_RANGE) return clamp(visibility, low, high);
-  float mean = sum / 9.0;  // const: 3 x 3
-  float spread = limit_deviations * sqrt(max(0.0, sum_squares / 9.0 - mean * mean));
+  float mean = sum / kPixels;
+  float spread = limit_deviations * sqrt(max(0.0, sum_squares / kPixels - mean * mean));
   return clamp(visibility, mean - spread, mean + spread);
 }
 

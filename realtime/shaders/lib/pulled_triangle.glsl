@@ -22,8 +22,11 @@ struct PulledTriangle {
 /// Which of the triangle's vertices this is.
 int pulled_vertex() { return gl_VertexID % VERTICES_PER_TRIANGLE; }
 
+const uint kCorners = 3u;  // const: of a triangle; also coordinates of a position
+
 vec3 stored_position(uint vertex) {
-  return vec3(positions_stored[3u * vertex], positions_stored[3u * vertex + 1u], positions_stored[3u * vertex + 2u]);
+  uint at = kCorners * vertex;
+  return vec3(positions_stored[at], positions_stored[at + 1u], positions_stored[at + 2u]);
 }
 
 #ifdef HAS_INSTANCES
@@ -31,7 +34,7 @@ vec3 stored_position(uint vertex) {
 PulledTriangle pulled_triangle() {
   InstanceRecord instance = instances[instance_of_vertex];
   uint of_mesh = uint(gl_VertexID / VERTICES_PER_TRIANGLE);
-  uint at = 3u * (instance.first_triangle + of_mesh);  // const: corners
+  uint at = kCorners * (instance.first_triangle + of_mesh);
   uint holes = 0u;
 #ifdef HAS_CUTOUTS
   if (of_mesh >= instance.first_cutout)
@@ -46,7 +49,7 @@ PulledTriangle pulled_triangle() {
 
 PulledTriangle pulled_triangle() {
   uint triangle = uint(gl_VertexID / VERTICES_PER_TRIANGLE);
-  uint at = 3u * triangle;  // const: corners
+  uint at = kCorners * triangle;
   uint holes = 0u;
 #ifdef HAS_CUTOUTS
   if (triangle >= cutout_words[0]) holes = 1u + kRecordWords * (triangle - cutout_words[0]);

@@ -42,7 +42,7 @@ struct HistoryData {
   mat4 previous_clip_from_world;  // of the frame before, as clip_from_world
   vec4 previous_eye_world;        // xyz, w = 1
   vec4 jitter;                    // xy: of this frame, zw: of the one before; Halton points 2, 3 less a half
-  ivec4 frame;                    // x: counted from the first frame that is drawn, 0: nothing was before; 0, 0, 0
+  ivec4 frame;  // x: counted from the first frame that is drawn, 0: nothing was before; 0, 0, 0
 };
 
 #ifdef __cplusplus

@@ -103,7 +103,8 @@ TEST(Frames, HistoryIsSaidAndUsed) {
 }
 
 TEST(Frames, TheirNumberIsForTechniquesWithHistory) {
-  const std::string views = pass("step", "\"previous.state\"", "\"state\"", "condition = \"frame.index > 2\"");
+  const std::string views =
+      pass("step", "\"previous.state\"", "\"state\"", "condition = \"frame.index > 2\"");
   EXPECT_EQ(error_with_head("frames_before = 3\n", views), "no error");
   EXPECT_THAT(error_with_head("", pass("step", "", "\"state\"", "condition = \"frame.index > 2\"")),
               HasSubstr("unknown name 'frame.index'"));

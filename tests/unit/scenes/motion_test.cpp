@@ -49,8 +49,8 @@ TEST(Motion, PansByIrrationalPixels) {
   const glm::dvec3 step = (camera.eye_world - start.eye_world) / px_world;
   EXPECT_NEAR(step.x, 2.0 * 3.618034, 1e-5);
   EXPECT_NEAR(glm::length(step), 2.0 * std::hypot(3.618034, 1.414214), 1e-5);
-  EXPECT_NEAR(
-      glm::distance(camera.at_world - camera.eye_world, start.at_world - start.eye_world), 0.0, 1e-12);
+  EXPECT_NEAR(glm::distance(camera.at_world - camera.eye_world, start.at_world - start.eye_world), 0.0,
+              1e-12);
 }
 
 TEST(Motion, MovesALightAsideAndTurnsTheSun) {
@@ -93,7 +93,8 @@ TEST(Motion, MovesTheVerticesOfItsObjectAlone) {
   EXPECT_NE(before.hash, scene.hash);
   EXPECT_EQ(scene_at(scene, 0, kHeight_px).hash, scene.hash);
   scene.motion.object_step_world = {5, 0, 0};
-  EXPECT_EQ(scene_at(scene, 4, kHeight_px).bounds_world.max.x, 21.0);  // no part is left out of the scene's box
+  EXPECT_EQ(scene_at(scene, 4, kHeight_px).bounds_world.max.x,
+            21.0);  // no part is left out of the scene's box
 }
 
 std::string error_of(std::string_view motion, const Scene& scene) {
@@ -114,7 +115,8 @@ TEST(Motion, SaysWhatASceneLacks) {
 
 Scene parsed(const std::string& motion) {
   const std::string text =
-      "[camera]\neye = [0, 3, 10]\nat = [0, 0, 0]\n[[mesh]]\nname = \"floor\"\nshape = \"plane\"\nsize = [4, 4]\n"
+      "[camera]\neye = [0, 3, 10]\nat = [0, 0, 0]\n[[mesh]]\nname = \"floor\"\nshape = \"plane\"\nsize = [4, "
+      "4]\n"
       "[[mesh]]\nname = \"box\"\nshape = \"box\"\nsize = [1, 1, 1]\n"
       "[[light]]\ntype = \"disk\"\ncenter = [0, 5, 0]\ndirection = [0, -1, 0]\nradius = 0.3\n";
   return parse_scene(text + motion, "tried.toml", {});
@@ -131,7 +133,8 @@ std::string script_error(const std::string& motion) {
 
 TEST(Motion, IsReadFromAScene) {
   const Scene scene = parsed(
-      "[motion]\ncamera_step = [0.1, 0, 0]\nlight_step = [0, 0, 0.2]\nobject = \"box\"\nobject_step = [0, 0.3, "
+      "[motion]\ncamera_step = [0.1, 0, 0]\nlight_step = [0, 0, 0.2]\nobject = \"box\"\nobject_step = [0, "
+      "0.3, "
       "0]\n");
   EXPECT_EQ(scene.motion.name, "script");
   const Scene before = scene_at(scene, -2, kHeight_px);
