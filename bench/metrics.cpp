@@ -33,7 +33,7 @@ namespace {
 
 constexpr int kWidth = 1920;
 constexpr int kHeight = 1080;
-constexpr double kEye[3] = {0.0, 0.0, 0.0};
+const glm::dvec3 kEye{0.0, 0.0, 0.0};
 
 // A floor with soft stripes of shadow, noise in the reference and a slightly shifted test.
 struct Pair {

@@ -78,8 +78,7 @@ std::string parity_text(const Parity& parity) {
 
 /// Error{environment} unless the surfaces agree; those of `ours` stay, with what is known.
 void take_surfaces(const Scene& scene, const Image& ours, Frame& frame) {
-  const glm::dvec3& eye = scene.camera.eye_world;
-  const double eye_world[3] = {eye.x, eye.y, eye.z};
+  const glm::dvec3& eye_world = scene.camera.eye_world;
   match_triangles(ours, frame.image);
   const Parity parity = compare_surfaces(frame.image, ours, eye_world);
   if (!parity.passes)

@@ -54,10 +54,8 @@ std::string quantity_line(const PictureScore& picture) {
 std::string score_text(const PictureScore& picture) {
   const Score& score = picture.score;
   std::string text = quantity_line(picture);
-  text += score.has_surfaces
-              ? "parity           " +
-                    format_parity(parity_numbers(score.parity, ParityTolerance{}.required_agreement)) + "\n"
-              : "parity           not checked: the picture has no surface channels\n";
+  text += score.has_surfaces ? "parity           " + format_parity(parity_numbers(score.parity)) + "\n"
+                             : "parity           not checked: the picture has no surface channels\n";
   if (!score.error) return text;
   const VisibilityError& error = *score.error;
   text += fmt::format("scored pixels    {} of {}\n", error.scored_pixels, score.scorable_pixels);

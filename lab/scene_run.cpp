@@ -128,8 +128,7 @@ Image require_reference(const SceneContext& context, SceneResult& scene) {
 
 void compare_renderers(const SceneContext& context, const Image& surfaces, const Image& reference,
                        SceneResult& scene) {
-  const glm::dvec3& eye = context.scene.camera.eye_world;
-  const double eye_world[3] = {eye.x, eye.y, eye.z};
+  const glm::dvec3& eye_world = context.scene.camera.eye_world;
   const ParityTolerance tolerance;
   Parity parity;
   scene.failure = guarded([&] { parity = compare_surfaces(surfaces, reference, eye_world, tolerance); });
@@ -137,7 +136,7 @@ void compare_renderers(const SceneContext& context, const Image& surfaces, const
 }
 
 void take_parity(const SceneContext& context, const Parity& parity, SceneResult& scene) {
-  ParityNumbers numbers = parity_numbers(parity, ParityTolerance{}.required_agreement);
+  ParityNumbers numbers = parity_numbers(parity);
   numbers.picture_file = context.relative("parity.png");
   save_picture(context, numbers.picture_file, parity_picture(parity));
   scene.parity = numbers;
@@ -261,8 +260,7 @@ void require_picture(const SceneContext& context, const Image& reference, Techni
   run.frame.image = read_image(context.folder / run.result.image_file);
   run.mask = stored_mask(run.frame.image);
   if (!run.mask.empty()) return;
-  const glm::dvec3& eye = context.scene.camera.eye_world;
-  const double eye_world[3] = {eye.x, eye.y, eye.z};
+  const glm::dvec3& eye_world = context.scene.camera.eye_world;
   run.mask = scored_mask(compare_surfaces(run.frame.image, reference, eye_world), reference);
 }
 

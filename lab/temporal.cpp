@@ -30,7 +30,7 @@ RenderRequest request_of(const SceneContext& context, const TechniqueFrame& run,
 
 // Only where both renderers see the same.
 std::vector<uint8_t> mask_of(const Image& test, const Image& reference, const Camera& camera) {
-  const double eye_world[3] = {camera.eye_world.x, camera.eye_world.y, camera.eye_world.z};
+  const glm::dvec3& eye_world = camera.eye_world;
   const Parity parity = compare_surfaces(test, reference, eye_world);
   if (!parity.passes)
     fail_input(fmt::format("the renderers agree on {:.2f} % only", 100.0 * parity.agreement));

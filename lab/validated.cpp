@@ -53,7 +53,7 @@ std::optional<RunRecord> find_validated(Store& store, const std::string& run,
 
 StoredPicture swept_picture(const Store& store, const RunRecord& validated, const Image& truth,
                             const Camera& camera) {
-  const double eye_world[3] = {camera.eye_world.x, camera.eye_world.y, camera.eye_world.z};
+  const glm::dvec3& eye_world = camera.eye_world;
   const Image image = read_image(store.path_of(validated.result.image_file));
   std::vector<uint8_t> mask = stored_mask(image);
   if (mask.empty()) mask = scored_mask(compare_surfaces(image, truth, eye_world), truth);

@@ -165,7 +165,8 @@ void measure(const SceneWork& work, SceneResult& scene, std::vector<TechniqueFra
   };
   if (scene.parity && scene.parity->passes) {
     const bool is_complete = !has_sequences && work.plan.motion.empty();  // with its score
-    score_techniques(context, reference, runs, is_complete ? keep : [](TechniqueFrame&) {});
+    score_techniques(
+        context, reference, runs, is_complete ? keep : [](TechniqueFrame&) {});
     draw_swept(context, reference, runs);
   }
   if (work.memory != nullptr) recall_verdicts(work, runs);

@@ -94,13 +94,13 @@ ParityClass classify(const Judge& judge, size_t i, TileCounts& counts) {
 
 }  // namespace
 
-Parity compare_surfaces(const Image& test, const Image& reference, const double eye_world[3],
+Parity compare_surfaces(const Image& test, const Image& reference, const glm::dvec3& eye_world,
                         const ParityTolerance& tolerance) {
   require_same_size(test, reference, "parity");
   const Surface reference_surface = checked_lit_surface(reference);
   const Judge judge = {.test = checked_lit_surface(test),
                        .reference = reference_surface,
-                       .eye_world = {eye_world[0], eye_world[1], eye_world[2]},
+                       .eye_world = eye_world,
                        .tolerance = tolerance,
                        .cosine_limit = std::cos(tolerance.normal_deg * std::numbers::pi / 180.0),
                        .irradiance_slack = 1e-4 * largest_irradiance(reference_surface.view.primitive,

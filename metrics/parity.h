@@ -4,6 +4,8 @@
 
 #include "core/image.h"
 
+#include <glm/vec3.hpp>
+
 #include <cstdint>
 #include <span>
 #include <string>
@@ -42,7 +44,7 @@ struct Parity {
 /// Compares position, normal, primitive_id and unshadowed_irradiance of two frames of one camera. The same
 /// primitive agrees; another one still agrees when position and normal do (an edge between two triangles of
 /// one surface falls on either side). Error{input} on size mismatch, missing channels, NaN.
-Parity compare_surfaces(const Image& test, const Image& reference, const double eye_world[3],
+Parity compare_surfaces(const Image& test, const Image& reference, const glm::dvec3& eye_world,
                         const ParityTolerance& tolerance = {});
 
 /// 1 where a pixel is scored: surfaces agree and the light can reach it (unshadowed irradiance above 1e-6 of

@@ -52,7 +52,8 @@ struct ParityNumbers {
   std::string picture_file;
 };
 
-ParityNumbers parity_numbers(const Parity& parity, double required_agreement);
+ParityNumbers parity_numbers(const Parity& parity,
+                             double required_agreement = ParityTolerance{}.required_agreement);
 
 struct ReferenceResult {
   std::string device;

@@ -19,7 +19,7 @@ using OrderedJson = nlohmann::ordered_json;
 OrderedJson picture_json(const PictureScore& picture, const std::string& test_file,
                          const std::string& reference_file) {
   const Score& score = picture.score;
-  const ParityNumbers numbers = parity_numbers(score.parity, ParityTolerance{}.required_agreement);
+  const ParityNumbers numbers = parity_numbers(score.parity);
   OrderedJson parity = parity_json(score.has_surfaces ? std::optional(numbers) : std::nullopt);
   if (!parity.is_null()) parity.erase("picture_file");
   OrderedJson json{{"test", test_file},

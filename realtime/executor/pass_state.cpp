@@ -115,7 +115,8 @@ void set_pass_state(const PassDeclaration& pass, const Step& step) {
   set_blend(state);
   set_cull(state.cull, step.mirrors);
   if (state.depth_clamp) glEnable(GL_DEPTH_CLAMP);
-  const CompareFunction usual = pass.kind == PassKind::scene ? CompareFunction::greater : CompareFunction::always;
+  const CompareFunction usual =
+      pass.kind == PassKind::scene ? CompareFunction::greater : CompareFunction::always;
   glDepthFunc(gl_function(state.depth_test.value_or(usual)));
   if (!state.depth_write) glDepthMask(GL_FALSE);
   const auto& [red, green, blue, alpha] = state.writes_channel;

@@ -34,7 +34,8 @@ std::array<Enum, count> read_enums(TomlReader& reader, const std::string& key,
   for (size_t i = 0; i < count; ++i) {
     const auto found = std::ranges::find(names, texts[i]);
     if (found == names.end())
-      reader.fail(key, fmt::format("unknown name '{}' in '{}'", texts[i], key), suggest_name(texts[i], names));
+      reader.fail(key, fmt::format("unknown name '{}' in '{}'", texts[i], key),
+                  suggest_name(texts[i], names));
     values[i] = static_cast<Enum>(found - names.begin());
   }
   return values;
@@ -42,7 +43,8 @@ std::array<Enum, count> read_enums(TomlReader& reader, const std::string& key,
 
 int read_stencil_value(TomlReader& reader, const std::string& key, int64_t fallback) {
   const int64_t value = reader.integer(key, fallback);
-  if (value < 0 || value > 255) reader.fail(key, fmt::format("'{}' = {} is no stencil", key, value), "0 to 255");
+  if (value < 0 || value > 255)
+    reader.fail(key, fmt::format("'{}' = {} is no stencil", key, value), "0 to 255");
   return static_cast<int>(value);
 }
 

@@ -91,8 +91,7 @@ void take_times(TimedRun& run, BenchEntry& entry) {
 /// Renders the truth and sets what follows from it and the surfaces of a run: parity.
 void ask_truth(const BenchContext& context, const Image& surfaces, AskedTruth& truth, BenchScene& scene) {
   truth.is_asked = true;
-  const glm::dvec3& eye = context.job.scene.camera.eye_world;
-  const double eye_world[3] = {eye.x, eye.y, eye.z};
+  const glm::dvec3& eye_world = context.job.scene.camera.eye_world;
   const ParityTolerance tolerance;
   scene.failure = guarded([&] {
     Frame frame = context.renderers.reference.render(context.job.scene, request_of(context.plan.picture),

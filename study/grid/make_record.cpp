@@ -21,13 +21,13 @@ void keep_parity(const Keeper& keeper, const Parity& parity, const Image& image,
                  const std::string& reference) {
   const std::string key = parity_key(reference, keeper.makers);
   if (image.metadata.contains("engine_parity") || keeper.store.find(key)) return;
-  ParityNumbers numbers = parity_numbers(parity, ParityTolerance{}.required_agreement);
+  ParityNumbers numbers = parity_numbers(parity);
   numbers.picture_file = keep_picture(keeper, parity_picture(parity));
   keeper.store.put({key, EntryKind::parity, parity_json(numbers).dump()});
 }
 
 void take_score(const Score& score, RunRecord& record) {
-  record.parity = parity_numbers(score.parity, ParityTolerance{}.required_agreement);
+  record.parity = parity_numbers(score.parity);
   static_cast<Measures&>(record.result) = score;
   if (score.no_diagnosis)
     record.result.warnings.push_back("the faults could not be told apart: " + score.no_diagnosis->message);

@@ -28,7 +28,8 @@ std::string trial_key(const Stage& stage, const std::string& kind, const std::st
 
 /// What `make` says, or said before.
 template <class Make>
-auto ask(Stage& stage, const std::string& kind, const std::string& name, const Make& make) -> decltype(make()) {
+auto ask(Stage& stage, const std::string& kind, const std::string& name, const Make& make)
+    -> decltype(make()) {
   Answers* const answers = stage.settings().answers;
   if (answers == nullptr || !answers->keeps()) return make();
   const std::string key = trial_key(stage, kind, name);

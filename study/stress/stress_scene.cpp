@@ -31,8 +31,7 @@ std::optional<StressCell> load(const StressPoint& point, const std::filesystem::
 }
 
 void judge_truth(const Image& surfaces, const TruthOracle& oracle, StressScene& out) {
-  const glm::dvec3& eye = out.scene.camera.eye_world;
-  const double eye_world[3] = {eye.x, eye.y, eye.z};
+  const glm::dvec3& eye_world = out.scene.camera.eye_world;
   const Parity alone = compare_surfaces(out.reference, out.reference, eye_world);
   const std::vector<uint8_t> mask = scored_mask(alone, out.reference);
   out.truth.scored_pixels = static_cast<size_t>(std::ranges::count(mask, 1));

@@ -85,7 +85,7 @@ View Studio::make_view(SceneJob& job, double angle_deg, const Fidelity& fidelity
   View view{name_of(job, angle_deg), &job, angle_deg, camera, fidelity, {}, {}};
   view.reference = render(*fidelity.reference, view, {}, {}, progress_).image;
   const Frame surfaces = render(realtime_, view, {}, {}, silent_);
-  const double eye_world[3] = {camera.eye_world.x, camera.eye_world.y, camera.eye_world.z};
+  const glm::dvec3& eye_world = camera.eye_world;
   const Parity parity = compare_surfaces(surfaces.image, view.reference, eye_world);
   if (!parity.passes) {
     fail_input(fmt::format("{}: the renderers agree on {:.2f} % of the pixels only", view.name,

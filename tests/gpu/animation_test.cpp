@@ -53,8 +53,7 @@ TEST(animation, is_the_same_surfaces_in_both_renderers_at_every_moment) {
     settings.samples_per_pixel = 8;
     const Frame traced =
         make_reference_renderer(settings)->render(scene, {kWidth_px, kHeight_px, 1, {}, {}}, progress);
-    const glm::dvec3& eye = scene.camera.eye_world;
-    const double eye_world[3] = {eye.x, eye.y, eye.z};
+    const glm::dvec3& eye_world = scene.camera.eye_world;
     const Parity parity = compare_surfaces(drawn.image, traced.image, eye_world, {});
     EXPECT_GE(parity.agreement, 0.995) << time_s;
     EXPECT_EQ(parity.same_primitive, parity.covered) << time_s;

@@ -54,7 +54,7 @@ Diagnosed diagnosed(const Scene& scene, const std::string& technique, const Para
                     int width_px, int height_px) {
   const Image test = render(scene, technique, parameters, 1, width_px, height_px).image;
   const Image truth = truth_of(scene, width_px, height_px);
-  const double eye_world[3] = {scene.camera.eye_world.x, scene.camera.eye_world.y, scene.camera.eye_world.z};
+  const glm::dvec3& eye_world = scene.camera.eye_world;
   const std::vector<uint8_t> mask = scored_mask(compare_surfaces(test, truth, eye_world), truth);
   Diagnosed out;
   out.penumbra = measure_penumbra(test, truth, mask);

@@ -125,8 +125,7 @@ void expect_parity(const Scene& scene, const Image& image, double required_same_
   request.width_px = image.width;
   request.height_px = image.height;
   const Frame frame = reference->render(scene, request, progress);
-  const glm::dvec3 eye = scene.camera.eye_world;
-  const double eye_world[3] = {eye.x, eye.y, eye.z};
+  const glm::dvec3& eye_world = scene.camera.eye_world;
   const Parity parity = compare_surfaces(image, frame.image, eye_world);
   EXPECT_GT(parity.covered, 1000u);
   EXPECT_TRUE(parity.passes) << parity.coverage_mismatch << " coverage, " << parity.surface_mismatch

@@ -57,8 +57,7 @@ TEST(instances, are_the_same_surfaces_in_both_renderers) {
     SilentProgress progress;
     const Frame traced =
         make_reference_renderer(few_samples())->render(scene, {kWidth_px, kHeight_px, 1, {}, {}}, progress);
-    const glm::dvec3& eye = scene.camera.eye_world;
-    const double eye_world[3] = {eye.x, eye.y, eye.z};
+    const glm::dvec3& eye_world = scene.camera.eye_world;
     const Parity parity = compare_surfaces(drawn.image, traced.image, eye_world, {});
     EXPECT_GE(parity.agreement, 0.995) << options.is_smooth << options.has_leaves;
     EXPECT_GE(static_cast<double>(parity.same_primitive), 0.998 * static_cast<double>(parity.covered));

@@ -12,7 +12,7 @@
 namespace umbrameter {
 namespace {
 
-constexpr double kEye[3] = {0.0, 0.0, 0.0};
+const glm::dvec3 kEye{0.0, 0.0, 0.0};
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
 // A wall at z = -10 that faces the eye, one primitive, irradiance 2.

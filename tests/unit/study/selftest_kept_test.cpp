@@ -39,7 +39,8 @@ TEST(KeptTrials, SayTheSameAfterTheStore) {
   cause.name = "bias 32";
   cause.right = {RunPart::bias, RunPart::blocker_distance};
   cause.fault = FaultClass::peter_panning;
-  cause.tried = {{"bias_zero", {"bias_texels 32 -> 0"}, {}, {0.75}, 0.125}, {"taps_x4", {}, "no taps", {}, 0.0}};
+  cause.tried = {{"bias_zero", {"bias_texels 32 -> 0"}, {}, {0.75}, 0.125},
+                 {"taps_x4", {}, "no taps", {}, 0.0}};
   cause.cause = RunPart::blocker_distance;
   expect_kept(cause);
 }
