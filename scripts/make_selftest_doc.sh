@@ -7,17 +7,12 @@ cd "$(dirname "$0")/.."
 program=${UMBRAMETER:-build/ci/cli/umbrameter}
 measured=$(mktemp)
 trap 'rm -f "$measured" "$measured.doc"' EXIT
-models=()
-while read -r scene; do models+=(--scene "$scene"); done < <("$program" scene list --json | python3 -c '
-import json, sys
-for scene in json.load(sys.stdin)["scenes"]:
-    if scene["needs_assets"] and not scene["missing_assets"]: print(scene["name"])')
 # A missed target is measured, too.
 ask() { "$program" selftest "$@" || [ $? -eq 1 ]; }
 {
   UMBRAMETER_ASSETS='' ask --trials 400
-  printf '\nWith real models, `umbrameter selftest --benign --scene NAME...`:\n\n'
-  ask --benign "${models[@]}"
+  printf '\nWith real models, `umbrameter selftest --benign --assets-too`:\n\n'
+  ask --benign --assets-too
   printf '\nWhat mends the faults, `umbrameter selftest --causes`:\n\n'
   UMBRAMETER_ASSETS='' ask --causes
 } >"$measured" 2>/dev/null

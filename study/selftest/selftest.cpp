@@ -233,10 +233,13 @@ bool SelftestResults::passes(const SelftestTargets& targets) const {
       hardening.empty() ||
       (scenes_with_penumbrae() > 0 && static_cast<double>(telling_hardening()) >=
                                           targets.hardening * static_cast<double>(scenes_with_penumbrae()));
+  const BenignOutcome* nearest = nearest_benign();
+  const bool benign_pass = nearest == nullptr || worst_severity(nearest->verdict) <= targets.nearest;
   const bool any =
       !benign.empty() || !faults.empty() || !masks.empty() || !causes.empty() || !hardening.empty();
-  return any && causes_pass && hardening_passes && found() == faults.size() && false_alarms() == 0 &&
-         masks_pass && static_cast<double>(right()) >= targets.right * static_cast<double>(faults.size());
+  return any && benign_pass && causes_pass && hardening_passes && found() == faults.size() &&
+         false_alarms() == 0 && masks_pass &&
+         static_cast<double>(right()) >= targets.right * static_cast<double>(faults.size());
 }
 
 SelftestResults run_selftest(std::span<const SceneJob> jobs, const SelftestSettings& settings,

@@ -56,6 +56,7 @@ struct HardeningOutcome {
 };
 
 struct SelftestTargets {
+  double nearest = 0.8;            // of its limit: the benign trial that comes nearest
   double right = 0.95;             // share of faults
   double mask = 0.95;              // precision and recall
   double cause = 0.95;             // share of faults whose cause can be undone
