@@ -57,8 +57,7 @@ Score score_image(const Image& test, const Image& reference, const glm::dvec3& e
   score.has_surfaces = has_surfaces(test);
   const std::vector<uint8_t> scorable = scorable_mask(reference);
   score.scorable_pixels = static_cast<size_t>(std::ranges::count(scorable, 1));
-  const double eye[3] = {eye_world.x, eye_world.y, eye_world.z};
-  score.parity = compare_surfaces(score.has_surfaces ? test : reference, reference, eye);
+  score.parity = compare_surfaces(score.has_surfaces ? test : reference, reference, eye_world);
   if (!score.parity.passes) return score;
   score.mask = scored_mask(score.parity, reference);
   for (size_t i = 0; i < settings.known.size(); ++i) score.mask[i] &= settings.known[i];

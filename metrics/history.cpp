@@ -45,17 +45,17 @@ std::optional<double> measure_convergence(std::span<const StillPicture> pictures
                                           std::span<const uint8_t> mask) {
   if (pictures.size() < 2)
     fail_input(fmt::format("{} pictures tell nothing of convergence", pictures.size()));
-  std::vector<double> errors;
-  for (const StillPicture& picture : pictures) {
-    const auto product = error_product(*picture.test, reference, mask);
+  std::vector<double> errors(pictures.size());
+  for (size_t i = 0; i < errors.size(); ++i) {
+    const auto product = error_product(*pictures[i].test, reference, mask);
     if (!product) return std::nullopt;
-    errors.push_back(std::sqrt(std::max(0.0, *product)));
+    errors[i] = std::sqrt(std::max(0.0, *product));
   }
   const double mended = errors.front() - errors.back();
   if (mended < kLeastMended) return std::nullopt;
   const double goal = errors.front() - kMended * mended;
-  const auto reached = std::ranges::find_if(errors, [&](double error) { return error <= goal; });
-  const auto k = static_cast<size_t>(reached - errors.begin());  // at least 1: the first error is above it
+  size_t k = 1;  // the first error is above the goal, the last is not
+  while (errors[k] > goal) ++k;
   const double share = (errors[k - 1] - goal) / (errors[k - 1] - errors[k]);
   const double before = std::log(pictures[k - 1].frames), after = std::log(pictures[k].frames);
   return std::exp(before + share * (after - before));
