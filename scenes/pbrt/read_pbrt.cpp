@@ -3,14 +3,12 @@
 
 #include "core/names.h"
 #include "scenes/foreign/lamps.h"
+#include "scenes/pbrt/pbrt_camera.h"
 #include "scenes/pbrt/pbrt_shapes.h"
-#include "scenes/rotation.h"
+#include "scenes/pbrt/pbrt_transforms.h"
 
-#include <glm/geometric.hpp>
-#include <glm/gtc/type_ptr.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
-#include <glm/trigonometric.hpp>
 
 #include <algorithm>
 #include <array>
@@ -33,7 +31,6 @@ constexpr std::array<std::string_view, 4> kPbrtGlass = {"dielectric", "thindiele
                                                         "roughdielectric"};
 constexpr size_t kMaxStates = 10'000;
 constexpr size_t kMaxPbrtShapes = 2'000'000;
-constexpr double kFilmWidth = 1280.0, kFilmHeight = 720.0;
 
 template <size_t N>
 bool holds(const std::array<std::string_view, N>& list, const std::string& text) {
@@ -54,7 +51,8 @@ class PbrtReader {
     }
     if (!states_.empty()) fail_input("a block has no end", states_.back().where);
     if (object_ != nullptr) fail_input("an object has no end", {scene_.path.string()});
-    if (camera_) add_camera(*camera_);
+    if (camera_)
+      add_pbrt_camera(camera_->parameters, ours_from_world_ * camera_->world_from_camera, film_, scene_);
     scene_.side_files.insert(scene_.side_files.end(), tokens_.files().begin() + 1, tokens_.files().end());
     return std::move(scene_);
   }
@@ -80,98 +78,15 @@ class PbrtReader {
   struct CameraStatement {
     PbrtParameters parameters;
     dmat4 world_from_camera;
-    FileLocation where;
   };
 
-  double number() {
-    const auto token = tokens_.next();
-    if (!token) fail_input("the file ends within a statement", where_);
-    return pbrt_number(*token);
-  }
-  dvec3 vector() {
-    const double x = number(), y = number(), z = number();
-    return {x, y, z};
-  }
-  std::string word() {
-    const auto token = tokens_.next();
-    if (!token || !token->is_string) fail_input("a name in quotes is missing", where_);
-    return token->text;
-  }
+  std::string word() { return pbrt_word(tokens_, where_); }
   PbrtParameters parameters() { return {tokens_, where_}; }
 
-  /// 16 numbers, with or without brackets, column by column.
-  dmat4 matrix() {
-    const bool has_brackets = tokens_.peek() != nullptr && tokens_.peek()->text == "[";
-    if (has_brackets) tokens_.next();
-    std::array<double, 16> n{};
-    for (double& value : n) value = number();
-    if (has_brackets) {
-      const auto end = tokens_.next();
-      if (!end || end->text != "]") fail_input("a matrix has more than 16 numbers", where_);
-    }
-    if (n[3] != 0.0 || n[7] != 0.0 || n[11] != 0.0 || n[15] != 1.0)
-      fail_input("a matrix has another last row than 0 0 0 1", where_);
-    return glm::make_mat4(n.data());
-  }
-
-  dvec3 unit(const dvec3& v) const {
-    const double length = glm::length(v);
-    if (length > 0.0 && std::isfinite(length)) return v / length;
-    fail_input("a vector has no direction", where_);
-  }
-
-  /// What it makes of camera space: x right, y up, z ahead.
-  dmat4 look_at() {
-    const dvec3 eye = vector(), at = vector(), up = vector();
-    const dvec3 ahead = unit(at - eye), right = unit(glm::cross(unit(up), ahead));
-    return glm::inverse(dmat4(glm::dvec4(right, 0), glm::dvec4(glm::cross(ahead, right), 0),
-                              glm::dvec4(ahead, 0), glm::dvec4(eye, 1)));
-  }
-
-  dmat4 translation() {
-    dmat4 m(1.0);
-    m[3] = glm::dvec4(vector(), 1.0);
-    return m;
-  }
-  dmat4 scale() {
-    const dvec3 s = vector();
-    return {s.x, 0, 0, 0, 0, s.y, 0, 0, 0, 0, s.z, 0, 0, 0, 0, 1};
-  }
-  dmat4 turn() {
-    const double angle_deg = number();
-    return dmat4(rotation(unit(vector()), angle_deg));
-  }
-
   bool read_transform(const std::string& statement) {
-    dmat4 next = state_.ctm;
-    if (statement == "Identity") {
-      next = dmat4(1.0);
-    } else if (statement == "Translate") {
-      next = next * translation();
-    } else if (statement == "Scale") {
-      next = next * scale();
-    } else if (statement == "Rotate") {
-      next = next * turn();
-    } else if (statement == "LookAt") {
-      next = next * look_at();
-    } else if (statement == "Transform") {
-      next = matrix();
-    } else if (statement == "ConcatTransform") {
-      next = next * matrix();
-    } else if (statement == "CoordSysTransform") {
-      const std::string name = word();
-      const auto found = systems_.find(name);
-      if (found == systems_.end())
-        fail_input(fmt::format("no coordinate system is called '{}'", name), where_);
-      next = found->second;
-    } else {
-      return false;
-    }
-    const double* values = glm::value_ptr(next);
-    if (!std::ranges::all_of(values, values + 16, [](double value) { return std::isfinite(value); }))
-      fail_input("the transform is not finite", where_);
-    if (state_.is_at_start) state_.ctm = next;
-    return true;
+    const auto next = read_pbrt_transform(statement, state_.ctm, systems_, tokens_, where_);
+    if (next && state_.is_at_start) state_.ctm = *next;
+    return next.has_value();
   }
 
   void begin(const std::string& kind) {
@@ -288,47 +203,9 @@ class PbrtReader {
     systems_["camera"] = world_from_camera;
     if (side < 0.0) ours_from_world_ = dmat4(1.0);  // its numbers are right-handed already
     if (type == "perspective")
-      camera_ = CameraStatement{all, world_from_camera, where_};
+      camera_ = CameraStatement{all, world_from_camera};
     else
       scene_.of_views.leave_out("camera", type);
-  }
-
-  void add_camera(const CameraStatement& statement) {
-    const PbrtParameters& all = statement.parameters;
-    const double width = film_ ? film_->number("xresolution", kFilmWidth) : kFilmWidth;
-    const double height = film_ ? film_->number("yresolution", kFilmHeight) : kFilmHeight;
-    if (!(width >= 1.0 && height >= 1.0 && width <= 1e6 && height <= 1e6))
-      fail_input(fmt::format("the film has {} x {} pixels", width, height), film_->where());
-    FoundCamera camera =
-        foreign_camera("the file", ours_from_world_ * statement.world_from_camera, static_cast<int>(width),
-                       static_cast<int>(height), scene_, statement.where);
-    if (film_ && (film_->find("cropwindow") != nullptr || film_->find("pixelbounds") != nullptr))
-      scene_.of_views.add("crop of a film is not carried over", "crops of films are not carried over");
-    if (all.number("lensradius", 0.0) > 0.0)
-      scene_.of_views.add("camera with a lens is a pinhole camera",
-                          "cameras with a lens are pinhole cameras");
-    const double fov_deg = all.number("fov", 90.0);
-    if (!(fov_deg > 0.0 && fov_deg < 180.0))
-      fail_input(fmt::format("'fov' = {} must lie between 0 and 180 degrees", fov_deg), statement.where);
-    const double half_height = screen_half_height(all, width / height);
-    camera.vertical_fov_deg =
-        2.0 * glm::degrees(std::atan(half_height * std::tan(glm::radians(0.5 * fov_deg))));
-    scene_.cameras.push_back(std::move(camera));
-  }
-
-  /// In units of the tangent of half of 'fov', which is that of the shorter side.
-  double screen_half_height(const PbrtParameters& all, double film_aspect) {
-    const double aspect = all.number("frameaspectratio", film_aspect);
-    if (!(aspect > 0.0))
-      fail_input(fmt::format("'frameaspectratio' = {} must be above 0", aspect), all.where());
-    const PbrtParameter* window = all.find("screenwindow");
-    if (window == nullptr) return aspect > 1.0 ? 1.0 : 1.0 / aspect;
-    const std::vector<double>& n = window->numbers;
-    if (n.size() != 4 || !(n[1] > n[0] && n[3] > n[2]))
-      fail_input("'screenwindow' is not [left, right, bottom, top]", window->where);
-    if (n[0] != -n[1] || n[2] != -n[3])
-      scene_.of_views.add("shift of a camera is not carried over", "shifts of cameras are not carried over");
-    return 0.5 * (n[3] - n[2]);
   }
 
   void add_shape(const std::string& type, const PbrtParameters& all) {
@@ -411,7 +288,7 @@ class PbrtReader {
   std::vector<Block> states_;
   /// pbrt's world is left-handed.
   dmat4 ours_from_world_{-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-  std::map<std::string, dmat4> systems_;
+  PbrtSystems systems_;
   std::map<std::string, std::string> materials_;  // by name: type
   std::map<std::string, std::vector<ObjectShape>> objects_;
   std::vector<ObjectShape>* object_ = nullptr;  // being read
