@@ -115,7 +115,7 @@ std::optional<LitSum> judge_lit_sum(const std::string& scene, std::span<const Tu
   std::vector<Image> pictures;
   for (const TunedLight& light : lights) {
     const TunePlan& plan = *light.plan;
-    Studio studio(realtime, plan.technique.technique, plan.seed, progress);
+    Studio studio(realtime, plan.technique, plan.seed, progress);
     views.push_back(studio.make_view(*light.job, 0.0, plan.full));
     for (const ParameterValues* values : {&plan.technique.parameters, &light.result->best.values})
       pictures.push_back(studio.render(views.back(), *values).image);
