@@ -113,7 +113,8 @@ std::optional<dmat4> read_pbrt_transform(const std::string& statement, const dma
     return std::nullopt;
   }
   const double* values = glm::value_ptr(next);
-  if (std::ranges::all_of(values, values + 16, [](double value) { return std::isfinite(value); })) return next;
+  if (std::ranges::all_of(values, values + 16, [](double value) { return std::isfinite(value); }))
+    return next;
   fail_input("the transform is not finite", where);
 }
 
