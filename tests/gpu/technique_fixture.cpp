@@ -68,7 +68,7 @@ std::vector<Technique> techniques() {
 ParameterValues quick(const Technique& technique, int64_t map_size, int64_t light_samples) {
   ParameterValues values;
   for (const Parameter& parameter : technique.parameters) {
-    for (const char* size : {"map_size", "face_size", "cascade_size"})
+    for (const char* size : {"map_size", "face_size", "half_size", "cascade_size"})
       if (parameter.name == size) values[size] = map_size;
     if (parameter.name == "light_samples") values["light_samples"] = light_samples;
   }

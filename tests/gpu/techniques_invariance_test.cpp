@@ -254,13 +254,16 @@ void expect_nothing_idle(const Technique& technique, const ParameterValues& valu
   std::vector<const PassDeclaration*> running;
   collect_running(technique.passes, variables, running);
   const auto is_read = [&](const std::string& name) {
-    return std::ranges::any_of(running, [&](const auto* pass) { return contains(pass->reads, name); });
+    return std::ranges::any_of(running, [&](const auto* pass) {
+      return contains(pass->reads, name) || contains(pass->reads, std::string(kPrevious) + name) ||
+             (contains(pass->writes, name) && contains(pass->writes, std::string(kVisibility)));  // tested
+    });
   };
   for (const ResourceDeclaration& resource : technique.resources) {
     if (!is_on(resource.condition, variables)) continue;
     const bool is_written =
         std::ranges::any_of(running, [&](const auto* pass) { return contains(pass->writes, resource.name); });
-    const bool is_depth_test = resource.format(variables) == "depth32f" && is_written;
+    const bool is_depth_test = resource.format(variables).starts_with("depth32f") && is_written;
     EXPECT_TRUE(is_written && (is_depth_test || is_read(resource.name)))
         << what << ": resource " << resource.name << " is allocated for nothing";
   }
@@ -299,8 +302,10 @@ TEST(every_technique, memory_and_timed_passes_are_those_of_its_manifest) {
     const ExpressionVariables variables = variables_for(technique, frame.parameters);
 
     uint64_t bytes = 0;
+    const std::set<std::string> previously = read_previously(technique.passes);  // two of each
     for (const ResourceDeclaration& resource : technique.resources)
-      if (is_on(resource.condition, variables)) bytes += bytes_of(resource, variables);
+      if (is_on(resource.condition, variables))
+        bytes += (previously.contains(resource.name) ? 2 : 1) * bytes_of(resource, variables);
     EXPECT_EQ(frame.memory_bytes, bytes) << technique.id;
 
     std::vector<const PassDeclaration*> running;

@@ -139,7 +139,8 @@ TEST_P(EachTechnique, has_no_parameter_without_effect) {
   for (const Light& light : {rect_light_above({0.5, 4, 0.3}, {1.0, 0.5}), sphere_light({0.5, 4, 0.3}, 0.5),
                              sun_light({0.3, 1, 0.2}, 0.05)}) {
     if (!is_tried(technique, light.type)) continue;
-    const Scene scene = busy_scene(light);  // some act under a sun only
+    Scene scene = busy_scene(light);                                            // some act under a sun only
+    if (technique.has_history()) scene.motion = standard_motion("pan", scene);  // some where something moves
     for (const ParameterValues& values : starting_points(technique)) {
       if (silent.empty()) break;
       const Start start{values, visibility(scene, technique.id, values)};
