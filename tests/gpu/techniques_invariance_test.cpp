@@ -150,9 +150,13 @@ TEST(every_technique, picture_does_not_depend_on_what_was_rendered_before) {
 
 // --- what a set of parameters needs, from the manifest alone ---
 
-const std::map<std::string, uint64_t> kTexelBytes = {
-    {"depth32f", 4}, {"r8", 1},      {"r16f", 2},     {"r32f", 4},  {"rg16f", 4},  {"rg32f", 8},
-    {"rgba8", 4},    {"rgba16f", 8}, {"rgba32f", 16}, {"r32ui", 4}, {"rgba16", 8}, {"rg32ui", 8}};
+const std::map<std::string, uint64_t> kTexelBytes = {{"depth32f", 4}, {"depth32f_stencil8", 8},
+                                                     {"r8", 1},       {"r16f", 2},
+                                                     {"r32f", 4},     {"rg16f", 4},
+                                                     {"rg32f", 8},    {"rgba8", 4},
+                                                     {"rgba16f", 8},  {"rgba32f", 16},
+                                                     {"r32ui", 4},    {"rgba16", 8},
+                                                     {"rg32ui", 8}};
 
 ExpressionVariables variables_for(const Technique& technique, const ParameterValues& values) {
   ExpressionVariables variables = parameter_variables(technique.parameters, values);
