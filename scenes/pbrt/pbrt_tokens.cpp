@@ -11,7 +11,7 @@ namespace umbrameter {
 namespace {
 
 constexpr size_t kMaxPbrtFiles = 1000;
-constexpr std::string_view kBlank = " \t\r\n";
+constexpr std::string_view kPbrtBlank = " \t\r\n";
 constexpr std::string_view kEndsWord = " \t\r\n\"[]#";
 
 }  // namespace
@@ -48,7 +48,7 @@ std::optional<PbrtToken> PbrtTokens::read(Source& source) const {
   while (at < bytes.size()) {
     if (bytes[at] == '#') {
       at = std::min(bytes.find('\n', at), bytes.size());
-    } else if (kBlank.find(bytes[at]) != std::string_view::npos) {
+    } else if (kPbrtBlank.find(bytes[at]) != std::string_view::npos) {
       source.line += bytes[at] == '\n' ? 1 : 0;
       ++at;
     } else {

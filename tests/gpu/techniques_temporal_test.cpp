@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace umbrameter::test {
 namespace {
@@ -87,10 +88,14 @@ TEST(TemporalTechniques, MovedMapsShowTheShareOfATexel) {
   // All of the floor is as far along the light's axis: a texel is as wide everywhere. From the first floor pixel to the last.
   const auto x = many.image.plane("position.x"), y = many.image.plane("position.y");
   const auto u = many.image.plane("texel.x"), hit = many.image.plane("primitive_id");
-  std::vector<size_t> floor;
-  for (size_t i = 0; i < x.size(); ++i)
-    if (hit[i] >= 0.0f && std::abs(y[i]) < 1e-4f) floor.push_back(i);
-  const auto [low, high] = std::ranges::minmax(floor, {}, [&](size_t i) { return x[i]; });
+  std::optional<size_t> leftmost, rightmost;
+  for (size_t i = 0; i < x.size(); ++i) {
+    if (hit[i] < 0.0f || std::abs(y[i]) >= 1e-4f) continue;
+    if (!leftmost || x[i] < x[*leftmost]) leftmost = i;
+    if (!rightmost || x[i] > x[*rightmost]) rightmost = i;
+  }
+  ASSERT_TRUE(leftmost && rightmost);
+  const size_t low = *leftmost, high = *rightmost;
   const double texel = std::abs((double{x[high]} - double{x[low]}) / (double{u[high]} - double{u[low]}));
   const auto ramp = [&](const glm::dvec3& p) { return std::clamp(0.5 + p.x / texel, 0.0, 1.0); };
   EXPECT_LT(floor_error(many, ramp).rmse, 0.02);

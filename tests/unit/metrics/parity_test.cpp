@@ -87,7 +87,7 @@ TEST(Parity, DepthErrorIsRelativeToTheDistanceFromTheEye) {
   const Image reference = wall(3, 3);
   Image test = reference;
   for (float& z : test.plane("position.z")) z = -10.05f;
-  const double eye[3] = {0.0, 0.0, 10.0};  // 20 away: 0.05 / 20 = 2.5e-3
+  const glm::dvec3 eye{0.0, 0.0, 10.0};  // 20 away: 0.05 / 20 = 2.5e-3
   EXPECT_NEAR(compare_surfaces(test, reference, eye).median_relative_depth_error, 2.5e-3, 1e-7);
 }
 
