@@ -235,12 +235,13 @@ std::string ForeignProcess::read_line(double limit_s, Progress& progress) {
   const Clock::time_point deadline = deadline_after(limit_s);
   while (true) {
     const size_t end = unread_.find('\n');
+    if (std::min(end, unread_.size()) > kLongestLine)
+      fail(fmt::format("wrote a line of more than {} bytes", kLongestLine));
     if (end != std::string::npos) {
       std::string line = unread_.substr(0, end);
       unread_.erase(0, end + 1);
       return line;
     }
-    if (unread_.size() > kLongestLine) fail(fmt::format("wrote a line of more than {} bytes", kLongestLine));
     if (!pump(kTick_ms) && unread_.find('\n') == std::string::npos) {
       for (int i = 0; i < 20 && !has_ended(); ++i) pump(kTick_ms);
       fail(has_ended() ? end_text() : "closed its output");

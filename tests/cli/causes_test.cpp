@@ -104,7 +104,7 @@ TEST_F(Causes, ComeWithTheTableAndFromTheStore) {
       "--height", "90",        "--spp",       "64",
       "--frames", "0"};
   const ProcessResult first = umbrameter(command);
-  EXPECT_THAT(first.out, HasSubstr("bias 0 removes"));
+  EXPECT_THAT(first.out, HasSubstr("a tenth of the bias removes"));
   const ProcessResult again = umbrameter(command);
   EXPECT_EQ(again.out, first.out);
   EXPECT_THAT(again.err, HasSubstr("0 runs and 0 truths rendered"));

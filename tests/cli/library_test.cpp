@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
 const fs::path kLibrary = source_dir() / "scenes/library";
-constexpr int kPatience_s = 550;
+constexpr int kPatience_s = 1500;
 
 std::vector<std::string> scene_names(const fs::path& folder) {
   std::vector<std::string> names;

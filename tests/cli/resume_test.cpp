@@ -16,6 +16,7 @@
 #include <chrono>
 #include <csignal>
 #include <map>
+#include <ostream>
 #include <random>
 #include <thread>
 
@@ -27,7 +28,7 @@ using Json = nlohmann::json;
 using Rows = std::map<std::string, int64_t>;  // by key; a row that is put again gets another number
 
 constexpr int kKills = 10;  // of each verb
-constexpr int kPatience_s = 550;
+constexpr int kPatience_s = 1500;
 
 /// The entries of a store; empty while there is none.
 Rows rows_of(const fs::path& store) {
@@ -48,6 +49,11 @@ struct Verb {
   std::string name;
   std::vector<std::string> arguments;  // but --out
 };
+
+/// CTest's name of the case.
+void PrintTo(const Verb& verb, std::ostream* out) {
+  *out << verb.name;
+}
 
 class Resume : public CliTest, public testing::WithParamInterface<Verb> {
  protected:

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 using testing::HasSubstr;
 
-constexpr int kPatience_s = 550;
+constexpr int kPatience_s = 1500;
 
 class Reuse : public CliTest {
  protected:

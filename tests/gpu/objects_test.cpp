@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 
 #include <array>
+#include <map>
 #include <string_view>
 #include <vector>
 
@@ -56,13 +57,14 @@ TEST_F(ObjectsTest, TheGpuHasTheBitsTheFormatTableClaims) {
     const Texture texture(format, 1, 1);
     int bits = 0;
     for (const GLenum channel : {GL_TEXTURE_RED_SIZE, GL_TEXTURE_GREEN_SIZE, GL_TEXTURE_BLUE_SIZE,
-                                 GL_TEXTURE_ALPHA_SIZE, GL_TEXTURE_DEPTH_SIZE}) {
+                                 GL_TEXTURE_ALPHA_SIZE, GL_TEXTURE_DEPTH_SIZE, GL_TEXTURE_STENCIL_SIZE}) {
       GLint size = 0;
       glGetTextureLevelParameteriv(texture.id(), 0, channel, &size);
       bits += size;
     }
-    const bool is_padded = std::string_view(format.name) == "depth24";  // to 32
-    EXPECT_EQ(bits, is_padded ? 24 : 8 * format.bytes_per_texel) << format.name;
+    const std::map<std::string_view, int> padded = {{"depth24", 24}, {"depth32f_stencil8", 32 + 8}};
+    const auto known = padded.find(format.name);
+    EXPECT_EQ(bits, known != padded.end() ? known->second : 8 * format.bytes_per_texel) << format.name;
   }
 }
 
