@@ -2,9 +2,8 @@
 // Arrays, cubes and families of views: each layer holds what its pass drew, and samplers of every kind find it there.
 
 #include "core/files.h"
-#include "realtime/realtime.h"
+#include "tests/gpu/tried_technique.h"
 #include "tests/support/procedural_scene.h"
-#include "tests/support/technique_folder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -46,51 +45,13 @@ std::string fill(const std::string& name, int count) {
          name + "\"]\nwrite_layer = \"i\"\n";
 }
 
-class ExecutorLayers : public testing::Test {
+class ExecutorLayers : public TriedTechnique {
  protected:
-  void SetUp() override {
-    try {
-      renderer_ =
-          make_realtime_renderer({folder_.techniques_folder(), TechniqueFolder::shaders_folder(), ""});
-    } catch (const Error& error) {
-      if (error.kind() != ErrorKind::environment) throw;
-      GTEST_SKIP() << error.what();
-    }
-  }
+  ExecutorLayers() : TriedTechnique(lamp_over_floor(), kSidePx) {}
 
   void write(const std::string& body, const std::string& lights = "\"sphere\"") {
     folder_.write("technique.toml", replaced(manifest_head(), "\"rect\", \"sun\"", lights) + body);
   }
-  void shader(const std::string& name, const std::string& text) { folder_.write(name, text); }
-
-  Frame render() {
-    RenderRequest request;
-    request.width_px = kSidePx;
-    request.height_px = kSidePx;
-    request.technique = "tried";
-    SilentProgress progress;
-    return renderer_->render(scene_, request, progress);
-  }
-
-  std::vector<float> visibility() {
-    const Frame frame = render();
-    const auto plane = frame.image.plane("visibility");
-    return {plane.begin(), plane.end()};
-  }
-
-  std::string error_of() {
-    try {
-      render();
-    } catch (const Error& error) {
-      EXPECT_EQ(error.kind(), ErrorKind::input) << error.what();
-      return error.what();
-    }
-    return "no error";
-  }
-
-  TechniqueFolder folder_;
-  Scene scene_ = lamp_over_floor();
-  std::unique_ptr<Renderer> renderer_;
 };
 
 TEST_F(ExecutorLayers, LayersOfAnArrayHoldWhatWasWrittenToEach) {

@@ -3,9 +3,8 @@
 // picture here, so a manifest cannot promise what GL does not do.
 
 #include "core/files.h"
-#include "realtime/realtime.h"
+#include "tests/gpu/tried_technique.h"
 #include "tests/support/procedural_scene.h"
-#include "tests/support/technique_folder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -47,52 +46,13 @@ Scene slanted_triangle() {
   return scene;
 }
 
-class ExecutorResources : public testing::Test {
+class ExecutorResources : public TriedTechnique {
  protected:
-  void SetUp() override {
-    try {
-      renderer_ =
-          make_realtime_renderer({folder_.techniques_folder(), TechniqueFolder::shaders_folder(), ""});
-    } catch (const Error& error) {
-      if (error.kind() != ErrorKind::environment) throw;
-      GTEST_SKIP() << error.what();
-    }
-  }
+  ExecutorResources() : TriedTechnique(slanted_triangle(), kSidePx) {}
 
   void write(const std::string& body) { folder_.write("technique.toml", manifest_head() + body); }
-  void shader(const std::string& name, const std::string& text) { folder_.write(name, text); }
 
-  PreparedRun prepare(const ParameterValues& parameters = {}) {
-    RenderRequest request;
-    request.width_px = kSidePx;
-    request.height_px = kSidePx;
-    request.technique = "tried";
-    request.parameters = parameters;
-    SilentProgress progress;
-    return renderer_->prepare(scene_, request, progress);
-  }
-
-  Frame render(const ParameterValues& parameters = {}) { return prepare(parameters).frame; }
-
-  std::vector<float> visibility(const ParameterValues& parameters = {}) {
-    const Frame frame = render(parameters);
-    const auto plane = frame.image.plane("visibility");
-    return {plane.begin(), plane.end()};
-  }
-
-  std::string error_of(const ParameterValues& parameters = {}) {
-    try {
-      render(parameters);
-    } catch (const Error& error) {
-      EXPECT_EQ(error.kind(), ErrorKind::input) << error.what();
-      return error.what();
-    }
-    return "no error";
-  }
-
-  TechniqueFolder folder_;
-  Scene scene_ = slanted_triangle();
-  std::unique_ptr<Renderer> renderer_;
+  Frame render(const ParameterValues& parameters = {}) override { return prepare(parameters).frame; }
 };
 
 constexpr std::string_view kColumns = "void main() { out_chain = floor(gl_FragCoord.x) / 8.0; }";

@@ -3,10 +3,9 @@
 // conditions, views, timings.
 
 #include "core/files.h"
-#include "realtime/realtime.h"
 #include "scenes/scene.h"
+#include "tests/gpu/tried_technique.h"
 #include "tests/support/procedural_scene.h"
-#include "tests/support/technique_folder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -52,48 +51,18 @@ Scene box_over_floor() {
   return scene;
 }
 
-class Executor : public testing::Test {
+class Executor : public TriedTechnique {
  protected:
-  void SetUp() override {
-    try {
-      renderer_ =
-          make_realtime_renderer({folder_.techniques_folder(), TechniqueFolder::shaders_folder(), ""});
-    } catch (const Error& error) {
-      if (error.kind() != ErrorKind::environment) throw;
-      GTEST_SKIP() << error.what();
-    }
-  }
+  Executor() : TriedTechnique(box_over_floor(), kSidePx) {}
 
   void write_manifest(const std::string& body) { folder_.write("technique.toml", manifest_head() + body); }
 
-  RenderRequest request_of(const ParameterValues& parameters, uint64_t seed) {
-    RenderRequest request;
-    request.width_px = kSidePx;
-    request.height_px = kSidePx;
-    request.seed = seed;
-    request.technique = "tried";
-    request.parameters = parameters;
-    return request;
-  }
-
-  Frame render(const ParameterValues& parameters = {}, uint64_t seed = 1) {
+  using TriedTechnique::render;
+  Frame render(const ParameterValues& parameters, uint64_t seed) {
+    RenderRequest seeded = request(parameters);
+    seeded.seed = seed;
     SilentProgress progress;
-    return renderer_->render(scene_, request_of(parameters, seed), progress);
-  }
-
-  PreparedRun prepare(const ParameterValues& parameters = {}) {
-    SilentProgress progress;
-    return renderer_->prepare(scene_, request_of(parameters, 1), progress);
-  }
-
-  std::string error_of(const ParameterValues& parameters = {}) {
-    try {
-      render(parameters);
-    } catch (const Error& error) {
-      EXPECT_EQ(error.kind(), ErrorKind::input) << error.what();
-      return error.what();
-    }
-    return "no error";
+    return renderer_->render(scene_, seeded, progress);
   }
 
   /// Visibility at the pixel that shows the floor point (x, z). The camera's up is -z, so rows grow with z.
@@ -101,10 +70,6 @@ class Executor : public testing::Test {
     const auto pixel = [](double lateral) { return static_cast<size_t>((lateral / 3.0 + 0.5) * kSidePx); };
     return frame.image.plane("visibility")[pixel(z) * kSidePx + pixel(x)];
   }
-
-  TechniqueFolder folder_;
-  Scene scene_ = box_over_floor();
-  std::unique_ptr<Renderer> renderer_;
 };
 
 TEST_F(Executor, ConstantFillsTheScreen) {
@@ -310,7 +275,7 @@ TEST_F(Executor, PreparedRunsOutliveOtherScenesAndEachOther) {
   bare.lights = scene_.lights;
   finish_scene(bare);
   SilentProgress progress;
-  const PreparedRun second = renderer_->prepare(bare, request_of({}, 1), progress);
+  const PreparedRun second = renderer_->prepare(bare, request({}), progress);
   EXPECT_EQ(first->time_frame().size(), 2u);
   first.reset();
   EXPECT_EQ(second.time_frame().size(), 2u);

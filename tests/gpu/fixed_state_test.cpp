@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fixed-function state of passes, and draws whose vertices pull their triangles: what each key does to the texels.
 
-#include "realtime/realtime.h"
+#include "tests/gpu/tried_technique.h"
 #include "tests/support/procedural_scene.h"
-#include "tests/support/technique_folder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -40,16 +39,12 @@ std::string full(const std::string& id, const std::string& reads, const std::str
          reads + "]\nwrites = [" + writes + "]\n" + more;
 }
 
-class FixedState : public testing::Test {
+class FixedState : public TriedTechnique {
  protected:
+  FixedState() : TriedTechnique(two_floors(), kSidePx) {}
+
   void SetUp() override {
-    try {
-      renderer_ =
-          make_realtime_renderer({folder_.techniques_folder(), TechniqueFolder::shaders_folder(), ""});
-    } catch (const Error& error) {
-      if (error.kind() != ErrorKind::environment) throw;
-      GTEST_SKIP() << error.what();
-    }
+    TriedTechnique::SetUp();
     shader("one.frag", "void main() { out_visibility = 1.0; }");
     shader("half.frag", "void main() { out_visibility = 0.5; }");
     shader("zero.frag", "void main() { out_visibility = 0.0; }");
@@ -63,32 +58,6 @@ class FixedState : public testing::Test {
   void write(const std::string& body) {
     folder_.write("technique.toml", replaced(manifest_head(), "\"rect\", \"sun\"", "\"sun\"") + body);
   }
-  void shader(const std::string& name, const std::string& text) { folder_.write(name, text); }
-
-  std::vector<float> visibility() {
-    RenderRequest request;
-    request.width_px = kSidePx;
-    request.height_px = kSidePx;
-    request.technique = "tried";
-    SilentProgress progress;
-    const Frame frame = renderer_->render(scene_, request, progress);
-    const auto plane = frame.image.plane("visibility");
-    return {plane.begin(), plane.end()};
-  }
-
-  std::string error_of() {
-    try {
-      visibility();
-    } catch (const Error& error) {
-      EXPECT_EQ(error.kind(), ErrorKind::input) << error.what();
-      return error.what();
-    }
-    return "no error";
-  }
-
-  TechniqueFolder folder_;
-  Scene scene_ = two_floors();
-  std::unique_ptr<Renderer> renderer_;
 };
 
 /// Draws all triangles from the camera into `count`'s stencil, under its depth.

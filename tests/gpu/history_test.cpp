@@ -2,9 +2,8 @@
 // Techniques with history: what a frame finds of the one before it, and that the frame that counts can be drawn again.
 
 #include "realtime/inspect.h"
-#include "realtime/realtime.h"
+#include "tests/gpu/tried_technique.h"
 #include "tests/support/procedural_scene.h"
-#include "tests/support/technique_folder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -44,49 +43,17 @@ std::string pass(const std::string& id, const std::string& reads, const std::str
          reads + "]\nwrites = [" + writes + "]\n" + more;
 }
 
-class History : public testing::Test {
+class History : public TriedTechnique {
  protected:
-  void SetUp() override {
-    try {
-      renderer_ =
-          make_realtime_renderer({folder_.techniques_folder(), TechniqueFolder::shaders_folder(), ""});
-    } catch (const Error& error) {
-      if (error.kind() != ErrorKind::environment) throw;
-      GTEST_SKIP() << error.what();
-    }
-  }
+  History() : TriedTechnique(lamp_over_floor(), kSidePx) {}
 
   /// `frames` are drawn before the one that counts.
   void write(int frames, const std::string& body) {
     folder_.write("technique.toml", replaced(manifest_head(), "\"rect\", \"sun\"", "\"disk\"") +
                                         "frames_before = " + std::to_string(frames) + "\n" + body);
   }
-  void shader(const std::string& name, const std::string& text) { folder_.write(name, text); }
-
-  RenderRequest request() const {
-    RenderRequest request;
-    request.width_px = kSidePx;
-    request.height_px = kSidePx;
-    request.technique = "tried";
-    return request;
-  }
-
-  Frame render() {
-    SilentProgress progress;
-    return renderer_->render(scene_, request(), progress);
-  }
-
-  std::vector<float> visibility() {
-    const Frame frame = render();
-    const auto plane = frame.image.plane("visibility");
-    return {plane.begin(), plane.end()};
-  }
 
   void move(std::string_view motion) { scene_.motion = standard_motion(motion, scene_); }
-
-  TechniqueFolder folder_;
-  Scene scene_ = lamp_over_floor();
-  std::unique_ptr<Renderer> renderer_;
 };
 
 TEST_F(History, CountsTheFramesThatWereDrawn) {

@@ -10,6 +10,24 @@
 
 namespace umbrameter {
 
+/// The two chunks of a GLB; `bytes` are a multiple of four.
+inline std::string glb_of(const nlohmann::json& json, const std::string& bytes) {
+  std::string text = json.dump();
+  text.resize((text.size() + 3) / 4 * 4, ' ');
+  std::string file = "glTF";
+  const auto word = [&file](size_t value) {
+    const auto number = static_cast<uint32_t>(value);
+    file.append(reinterpret_cast<const char*>(&number), 4);
+  };
+  word(2);
+  word(12 + 8 + text.size() + 8 + bytes.size());
+  word(text.size());
+  file += "JSON" + text;
+  word(bytes.size());
+  file += std::string("BIN\0", 4) + bytes;
+  return file;
+}
+
 struct GlbFile {
   nlohmann::json json =
       nlohmann::json::parse(R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
@@ -56,20 +74,7 @@ struct GlbFile {
   std::string glb() const {
     nlohmann::json whole = json;
     whole["buffers"] = {{{"byteLength", bytes.size()}}};
-    std::string text = whole.dump();
-    text.resize((text.size() + 3) / 4 * 4, ' ');
-    std::string file = "glTF";
-    const auto word = [&file](size_t value) {
-      const auto number = static_cast<uint32_t>(value);
-      file.append(reinterpret_cast<const char*>(&number), 4);
-    };
-    word(2);
-    word(12 + 8 + text.size() + 8 + bytes.size());
-    word(text.size());
-    file += "JSON" + text;
-    word(bytes.size());
-    file += std::string("BIN\0", 4) + bytes;
-    return file;
+    return glb_of(whole, bytes);
   }
 
  private:

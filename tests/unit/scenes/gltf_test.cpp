@@ -5,6 +5,7 @@
 
 #include "core/files.h"
 #include "scene_text.h"
+#include "tests/support/glb_file.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gmock/gmock.h>
@@ -53,22 +54,7 @@ struct Square {
       "buffers": [{"byteLength": 92}]})");
   }
 
-  std::string glb() const {
-    std::string text = json.dump();
-    text.resize((text.size() + 3) / 4 * 4, ' ');
-    std::string file = "glTF";
-    const auto word = [&file](size_t value) {
-      const auto number = static_cast<uint32_t>(value);
-      file.append(reinterpret_cast<const char*>(&number), 4);
-    };
-    word(2);
-    word(12 + 8 + text.size() + 8 + bytes.size());
-    word(text.size());
-    file += "JSON" + text;
-    word(bytes.size());
-    file += std::string("BIN\0", 4) + bytes;
-    return file;
-  }
+  std::string glb() const { return glb_of(json, bytes); }
 };
 
 class Gltf : public testing::Test {
