@@ -13,6 +13,31 @@ namespace {
 constexpr double kSpentShare =
     0.2;  // of the budget: its first frame, by which the others are counted, is the slowest
 
+std::optional<RunRecord> find_record(Store& store, const std::string& key) {
+  const auto json = store.find(key);
+  return json ? parse_run_record(*json) : std::nullopt;
+}
+
+/// What a validation keeps of it; absent for failures and for runs that were not comparable.
+std::optional<RunRecord> find_validated(Store& store, const std::string& run) {
+  const auto note = store.find(validated_note_key(run));
+  const auto parsed = note ? nlohmann::json::parse(*note, nullptr, false) : nlohmann::json();
+  const auto key = parsed.find("run");
+  if (!parsed.is_object() || key == parsed.end() || !key->is_string()) return std::nullopt;
+  auto record = find_record(store, key->get<std::string>());
+  if (!record || record->result.failure || !record->result.error) return std::nullopt;
+  return record;
+}
+
+/// Empty if nothing is.
+std::string lack_of(const std::optional<RunRecord>& record, const std::optional<TimingPlan>& timing) {
+  if (!record) return "not stored";
+  const auto& failure = record->result.failure;
+  if (failure) return failure->kind == ErrorKind::input ? "" : "failed before: " + failure->message;
+  if (!timing || has_enough_frames(record->result, *timing)) return "";
+  return record->result.pass_times.empty() ? "stored without times" : "stored with fewer frames";
+}
+
 }  // namespace
 
 bool has_enough_frames(const TechniqueResult& run, const TimingPlan& timing) {
@@ -38,17 +63,14 @@ void note_validated(Store& store, const std::string& run, const std::string& val
   store.put({validated_note_key(run), EntryKind::verdict, nlohmann::json{{"run", validated}}.dump()});
 }
 
-std::optional<RunRecord> find_validated(Store& store, const std::string& run,
-                                        const std::optional<TimingPlan>& timing) {
-  const auto note = store.find(validated_note_key(run));
-  const auto parsed = note ? nlohmann::json::parse(*note, nullptr, false) : nlohmann::json();
-  const auto key = parsed.find("run");
-  if (!parsed.is_object() || key == parsed.end() || !key->is_string()) return std::nullopt;
-  const auto json = store.find(key->get<std::string>());
-  auto record = json ? parse_run_record(*json) : std::nullopt;
-  if (!record || record->result.failure || !record->result.error) return std::nullopt;
-  if (timing && !has_enough_frames(record->result, *timing)) return std::nullopt;
-  return record;
+StoredRun find_run(Store& store, const std::string& run, const std::optional<TimingPlan>& timing) {
+  StoredRun found{find_record(store, run), false, {}};
+  found.lack = lack_of(found.record, timing);
+  if (found.lack.empty()) return found;
+  auto validated = find_validated(store, run);
+  if (validated && lack_of(validated, timing).empty()) return {std::move(validated), true, {}};
+  found.record.reset();
+  return found;
 }
 
 StoredPicture swept_picture(const Store& store, const RunRecord& validated, const Image& truth,

@@ -23,10 +23,16 @@ std::optional<RunRecord> find_swept(LateStore& store, const std::string& run, co
 /// Notes that a validation keeps `run` under `validated`, a validated_run_key().
 void note_validated(Store& store, const std::string& run, const std::string& validated);
 
-/// What a validation keeps of it; absent for failures, for runs that were not comparable, and with fewer frames than
-/// has_enough_frames() asks for.
-std::optional<RunRecord> find_validated(Store& store, const std::string& run,
-                                        const std::optional<TimingPlan>& timing);
+/// What a store has of a run.
+struct StoredRun {
+  std::optional<RunRecord> record;  // absent where the run has to be rendered
+  bool is_validation = false;       // a validation's: its picture has no mask, and it has no baseline
+  std::string lack;                 // why it has to be rendered, for people
+};
+
+/// A sweep's or a validation's, with as many frames as has_enough_frames() asks for where `timing` is given. A run that failed
+/// counts only if its failure stays: Error{input}.
+StoredRun find_run(Store& store, const std::string& run, const std::optional<TimingPlan>& timing);
 
 /// Its picture as a sweep keeps it.
 StoredPicture swept_picture(const Store& store, const RunRecord& validated, const Image& truth,

@@ -26,15 +26,9 @@ std::string times_key(const BenchPlan& plan, std::span<const KeptRun> runs) {
   return hasher.hex();
 }
 
-std::optional<RunRecord> find_run(BenchMemory& memory, const std::string& key) {
+std::optional<RunRecord> find_known(BenchMemory& memory, const std::string& key) {
   if (!memory.reuse || !memory.store.exists()) return std::nullopt;
-  Store& store = memory.store.store();
-  const auto json = store.find(key);
-  auto record = json ? parse_run_record(*json) : std::nullopt;
-  if (!record) record = find_validated(store, key, {});
-  if (record && record->result.failure && record->result.failure->kind != ErrorKind::input)
-    return std::nullopt;
-  return record;
+  return find_run(memory.store.store(), key, {}).record;
 }
 
 /// What a record lacks.
@@ -83,7 +77,7 @@ std::vector<KeptRun> find_runs(BenchMemory& memory, const StudyScene& job, const
     kept.run = run;
     kept.key = run_key(reference, run->technique, run->seed, {}, memory.makers);
     const auto [baseline, is_first] = baselines.try_emplace(run->seed, kept.key);
-    if (auto record = find_run(memory, kept.key)) {
+    if (auto record = find_known(memory, kept.key)) {
       kept.record = *std::move(record);
       kept.is_known = true;
     } else {

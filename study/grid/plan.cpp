@@ -32,21 +32,11 @@ void decide(PlanStep& step, StepAction action, const std::string& reason) {
 
 void decide_by_store(const Planner& planner, PlanStep& step) {
   if (!planner.plan.reuse) return decide(step, StepAction::render, "reuse is off");
-  const auto json = planner.store == nullptr ? std::nullopt : planner.store->find(step.key);
-  auto stored = json ? parse_run_record(*json) : std::nullopt;
-  if (!stored && planner.store != nullptr)
-    stored = find_validated(*planner.store, step.key, planner.plan.timing);
-  if (!stored) return decide(step, StepAction::render, "not stored");
-  const auto& failure = stored->result.failure;
-  if (failure && failure->kind != ErrorKind::input)
-    return decide(step, StepAction::render, "failed before: " + failure->message);
-  const auto& timing = planner.plan.timing;
-  if (timing && !failure && !has_enough_frames(stored->result, *timing)) {
-    const bool has_times = !stored->result.pass_times.empty();
-    return decide(step, StepAction::render, has_times ? "stored with fewer frames" : "stored without times");
-  }
-  const std::string date = stored->head.started.substr(0, kDateLength);
-  decide(step, StepAction::reuse, fmt::format("{} on {}", failure ? "failed for good" : "stored", date));
+  if (planner.store == nullptr) return decide(step, StepAction::render, "not stored");
+  const StoredRun stored = find_run(*planner.store, step.key, planner.plan.timing);
+  if (!stored.record) return decide(step, StepAction::render, stored.lack);
+  const std::string date = stored.record->head.started.substr(0, kDateLength);
+  decide(step, StepAction::reuse, fmt::format("{} on {}", stored.record->result.failure ? "failed for good" : "stored", date));
 }
 
 PlanStep plan_run(Planner& planner, const StudyScene& job, const std::string& reference, size_t index) {

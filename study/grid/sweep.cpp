@@ -134,23 +134,20 @@ std::string baseline_key(const SweepContext& context, const PlanStep& step, cons
 }
 
 /// A run that a validation has is kept as a sweep's, and compared with its baseline.
-bool take_validated(SweepContext& context, const PlanStep& step, const std::string& reference) {
-  if (!context.plan.reuse) return false;
-  auto validated = find_validated(context.store, step.key, context.plan.timing);
-  if (!validated) return false;
+bool take_validated(SweepContext& context, const PlanStep& step, const std::string& reference,
+                    RunRecord validated) {
   require_truth(context, step.scene, reference);
   if (!context.truth.image) return false;
   const StudyScene& job = context.scenes[step.scene];
   const BenchRun& run = context.plan.runs[*step.run];
   const StoredPicture picture =
-      swept_picture(context.store, *validated, *context.truth.image, job.scene.camera);
-  RunRecord record = swept(*std::move(validated), run.technique.label);
+      swept_picture(context.store, validated, *context.truth.image, job.scene.camera);
+  RunRecord record = swept(std::move(validated), run.technique.label);
   record.head.scene = job.name;
   record.head.camera = job.camera;
   record.baseline = baseline_key(context, step, reference);
   record.result.image_file = keep_image(context.store, picture.image, context.scratch);
   context.store.put({step.key, EntryKind::run, to_json_text(record)});
-  ++context.outcome.reused;
   check_measured(context, step, record.result.error,
                  static_cast<size_t>(std::ranges::count(scorable_mask(*context.truth.image), 1)));
   if (!record.baseline.empty()) judge(context, record, picture);
@@ -184,25 +181,28 @@ void render_run(SweepContext& context, const PlanStep& step, const std::string& 
   if (!record.baseline.empty() && !picture.mask.empty()) judge(context, record, picture);
 }
 
-/// Whether the run is in the store; its failure is reported again.
-bool take_stored(SweepContext& context, const PlanStep& step) {
-  if (!context.plan.reuse) return false;
-  const auto json = context.store.find(step.key);
-  const auto stored = json ? parse_run_record(*json) : std::nullopt;
-  if (!stored) return false;
-  const auto& failure = stored->result.failure;
-  if (failure && failure->kind != ErrorKind::input) return false;
-  const auto& timing = context.plan.timing;
-  if (timing && !failure && !has_enough_frames(stored->result, *timing)) return false;
-  ++context.outcome.reused;
-  const std::string& label = context.plan.runs[*step.run].technique.label;
-  if (failure) {
-    report(context, fmt::format("{}, {}", full_name(context.scenes[step.scene]), label), *failure);
-    return true;
+/// A stored failure is reported again.
+void take_swept(SweepContext& context, const PlanStep& step, const RunRecord& record) {
+  if (record.result.failure) {
+    const std::string& label = context.plan.runs[*step.run].technique.label;
+    const std::string what = fmt::format("{}, {}", full_name(context.scenes[step.scene]), label);
+    return report(context, what, *record.result.failure);
   }
-  const auto truth = context.store.find(stored->reference);
-  const auto record = truth ? parse_reference_record(*truth) : std::nullopt;
-  if (record) check_measured(context, step, stored->result.error, record->result.scorable_pixels);
+  const auto json = context.store.find(record.reference);
+  const auto truth = json ? parse_reference_record(*json) : std::nullopt;
+  if (truth) check_measured(context, step, record.result.error, truth->result.scorable_pixels);
+}
+
+/// Whether the store has the run.
+bool take_stored(SweepContext& context, const PlanStep& step, const std::string& reference) {
+  if (!context.plan.reuse) return false;
+  StoredRun stored = find_run(context.store, step.key, context.plan.timing);
+  if (!stored.record) return false;
+  if (!stored.is_validation)
+    take_swept(context, step, *stored.record);
+  else if (!take_validated(context, step, reference, *std::move(stored.record)))
+    return false;
+  ++context.outcome.reused;
   return true;
 }
 
@@ -211,7 +211,7 @@ void do_run(SweepContext& context, const PlanStep& step, const std::string& refe
     ++context.outcome.skipped;
     return;
   }
-  if (take_stored(context, step) || take_validated(context, step, reference)) return;
+  if (take_stored(context, step, reference)) return;
   require_truth(context, step.scene, reference);
   if (!context.truth.image) {
     ++context.outcome.not_done;
