@@ -111,8 +111,8 @@ BenchResults run(const BenchPlan& plan, std::span<const StudyScene> scenes, Rend
     if (reused.count > 0) skipped.push_back({scene.name, "", "its truth is stored", reused.saved_s});
     all += reused;
   };
-  BenchResults results =
-      run_bench(scenes, plan, {memory.reference(plan.picture), realtime}, progress, scene_done, truth, kept);
+  BenchResults results = run_bench(scenes, plan, {memory.reference(plan.picture), memory.frames(realtime)},
+                                   progress, scene_done, truth, kept);
   results.skipped.insert(results.skipped.end(), skipped.begin(), skipped.end());
   if (all.count > 0) print_note(reused_line(all));
   return results;

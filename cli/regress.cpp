@@ -78,7 +78,7 @@ RegressRenderers renderers_of(Renderer& realtime, TruthMemory& memory, const Pic
     part.target_se.reset();
     return std::shared_ptr<Renderer>(std::shared_ptr<void>(), &memory.reference(part));
   };
-  return {realtime, make_reference, memory.makers(realtime), &memory.answers()};
+  return {memory.frames(realtime), make_reference, memory.makers(realtime), &memory.answers()};
 }
 
 BaselineReason reason_of(const std::string& text) {
@@ -165,8 +165,9 @@ void write_results_folder(const LoadedSuite& suite, Renderer& realtime, TruthMem
   ValidationMemory runs(*memory.store(), memory.makers(realtime), !options.no_reuse);
   std::vector<SceneSource> sources;
   for (const SceneJob& job : suite.scenes) sources.push_back(source_of(job));
-  const Results results = run_validation(sources, plan, {memory.reference(plan.picture), realtime},
-                                         global.out, progress, {}, &runs);
+  const Results results =
+      run_validation(sources, plan, {memory.reference(plan.picture), memory.frames(realtime)}, global.out,
+                     progress, {}, &runs);
   const std::filesystem::path out = global.out;
   write_file_atomically(out / "results.json", to_json_text(results));
   write_file_atomically(out / "regress.json", regress_json(checked));

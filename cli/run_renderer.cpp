@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/run_renderer.h"
 
+#include "cli/draw_log.h"
 #include "core/error.h"
 #include "engines/engines.h"
 #include "metrics/parity.h"
@@ -119,6 +120,7 @@ void RunRenderer::compare_with_ours(const Scene& scene, const RenderRequest& req
 }
 
 Frame RunRenderer::render(const Scene& scene, const RenderRequest& request, Progress& progress) {
+  log_drawn(request.technique.empty() ? "surfaces" : "run", scene, request);
   if (!is_engine(request)) return gl_->render(scene, request, progress);
   Frame frame = engines().render(scene, request, progress);
   compare_with_ours(scene, request, frame, progress);
@@ -126,6 +128,7 @@ Frame RunRenderer::render(const Scene& scene, const RenderRequest& request, Prog
 }
 
 PreparedRun RunRenderer::prepare(const Scene& scene, const RenderRequest& request, Progress& progress) {
+  log_drawn("timed", scene, request);
   if (!is_engine(request)) return gl_->prepare(scene, request, progress);
   PreparedRun run = engines().prepare(scene, request, progress);
   compare_with_ours(scene, request, run.frame, progress);

@@ -8,7 +8,9 @@
 #include "cli/study_runs.h"
 #include "cli/sweep_text.h"
 #include "cli/sweep_verbs.h"
+#include "cli/truth_memory.h"
 #include "core/error.h"
+#include "lab/stored_frames.h"
 
 #include <fmt/format.h>
 
@@ -93,8 +95,11 @@ int sweep(const SweepOptions& options, const GlobalOptions& global) {
   if (global.out.empty()) fail_input("a sweep needs a folder to keep its results in", {}, "give --out DIR");
   ProgressBar progress;
   LoadedSweep loaded = load(options, global, progress);
-  Store store(global.out, Database::Mode::write);
+  LateStore late(global.out);
+  Store& store = late.store();
   const Staging scratch(std::filesystem::temp_directory_path());
+  StoredFrames frames(*loaded.realtime, late, loaded.plan.makers, hash_of_technique,
+                      {.find = !options.no_reuse}, scratch.folder());
   set_interruption_note("interrupted; what was done is stored, the same command goes on from there");
   int code = kExitFine;
   const auto failed = [&](const Failure& failure) {
@@ -108,8 +113,8 @@ int sweep(const SweepOptions& options, const GlobalOptions& global) {
     const auto reference = open_reference_renderer(global, quality.picture);
     const std::vector<PlanStep> steps = plan_sweep(loaded.plan, loaded.scenes, &store);
     print_warnings(store);
-    const SweepOutcome outcome = run_sweep(loaded.plan, loaded.scenes, steps, {*reference, *loaded.realtime},
-                                           store, scratch.folder(), progress, failed);
+    const SweepOutcome outcome = run_sweep(loaded.plan, loaded.scenes, steps, {*reference, frames}, store,
+                                           scratch.folder(), progress, failed);
     print_warnings(store);
     for (const std::string& reason : outcome.unmeasured) print_error(reason);
     const bool is_all_skipped =
@@ -124,6 +129,7 @@ int sweep(const SweepOptions& options, const GlobalOptions& global) {
       print_answer((loaded.qualities.size() > 1 ? quality_heading(quality) : "") + outcome_text(outcome));
     }
   }
+  if (const auto line = reused_frames_line(frames.take_reused())) print_note(*line);
   if (global.json) {
     print_json(of_qualities(loaded.qualities, std::move(all)));
   } else {

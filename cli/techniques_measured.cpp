@@ -95,7 +95,7 @@ int show_traits(const TraitsOptions& options, const GlobalOptions& global) {
   TruthMemory memory(global, global.out, !options.no_reuse);
   ProgressBar progress;
   const TraitInputs inputs{.scenes = scenes,
-                           .renderers = {memory.reference(options.picture), *realtime},
+                           .renderers = {memory.reference(options.picture), memory.frames(*realtime)},
                            .neutral_bias = [&](const TechniqueRun& run) { return neutral_bias(run, home); },
                            .picture = options.picture,
                            .makers = memory.makers(*realtime),

@@ -11,6 +11,10 @@
 
 namespace umbrameter {
 
+std::string hash_of_technique(const std::string& id_or_path) {
+  return find_run(id_or_path, find_home()).hash;
+}
+
 TruthMemory::TruthMemory(const GlobalOptions& options, const std::filesystem::path& folder, bool reuse)
     : options_(options), reuse_(reuse) {
   if (folder.empty()) return;
@@ -34,6 +38,14 @@ Renderer& TruthMemory::reference(const PictureQuality& picture) {
   return *reference.stored;
 }
 
+Renderer& TruthMemory::frames(Renderer& realtime, FrameUse use) {
+  if (!store_) return realtime;
+  use.find = use.find && reuse_;
+  if (!frames_)
+    frames_.emplace(realtime, *store_, makers(realtime), hash_of_technique, use, scratch_->folder());
+  return *frames_;
+}
+
 ReusedTruths TruthMemory::take_reused() {
   ReusedTruths all;
   for (const auto& reference : references_) {
@@ -51,6 +63,11 @@ std::string reused_line(const ReusedTruths& reused) {
                      reused.saved_s);
 }
 
+std::optional<std::string> reused_frames_line(size_t count) {
+  if (count == 0) return std::nullopt;
+  return fmt::format("{} stored picture{} of runs reused", count, count == 1 ? "" : "s");
+}
+
 void require_store(bool no_reuse, const GlobalOptions& options) {
   if (no_reuse && options.out.empty())
     fail_input("--no-reuse needs --out", {}, "without a store nothing is reused");
@@ -60,6 +77,7 @@ void print_reuse(TruthMemory& memory) {
   print_warnings(memory.take_warnings());
   const ReusedTruths truths = memory.take_reused();
   if (truths.count > 0) print_note(reused_line(truths));
+  if (const auto line = reused_frames_line(memory.take_reused_frames())) print_note(*line);
   const size_t answers = memory.answers().take_reused();
   if (answers > 0) print_note(fmt::format("{} stored answer{} reused", answers, answers == 1 ? "" : "s"));
 }

@@ -7,6 +7,7 @@
 #include "cli/staging.h"
 #include "cli/verbs.h"
 #include "lab/answers.h"
+#include "lab/stored_frames.h"
 #include "lab/stored_reference.h"
 
 #include <memory>
@@ -24,6 +25,9 @@ class TruthMemory {
   /// A ray tracer of the picture's samples and target; lives as long as this.
   Renderer& reference(const PictureQuality& picture);
 
+  /// The renderer of runs with their pictures in the store; itself without one. Lives as long as this.
+  Renderer& frames(Renderer& realtime, FrameUse use = {});
+
   /// The answers in the store; without one nothing is kept.
   Answers& answers() { return answers_; }
   /// The store; null without a folder.
@@ -35,6 +39,7 @@ class TruthMemory {
 
   /// By all of them, since it was last asked.
   ReusedTruths take_reused();
+  size_t take_reused_frames() { return frames_ ? frames_->take_reused() : 0; }
   /// What was found damaged.
   std::vector<std::string> take_warnings();
 
@@ -49,11 +54,18 @@ class TruthMemory {
   std::optional<Staging> scratch_;
   std::optional<LateStore> store_;
   Answers answers_;
+  std::optional<StoredFrames> frames_;
   std::vector<std::unique_ptr<Reference>> references_;
 };
 
 /// "3 truths reused, about 1.2 s saved".
 std::string reused_line(const ReusedTruths& reused);
+
+/// HashOfTechnique of techniques and engines.
+std::string hash_of_technique(const std::string& id_or_path);
+
+/// "2 stored pictures of runs reused"; absent for none.
+std::optional<std::string> reused_frames_line(size_t count);
 
 /// Error{input} for --no-reuse without --out.
 void require_store(bool no_reuse, const GlobalOptions& options);

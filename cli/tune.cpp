@@ -222,10 +222,11 @@ int tune(const TuneOptions& options, const GlobalOptions& global) {
   plan.full = {picture.width_px, picture.height_px, &memory.reference(picture)};
   if (!options.no_coarse && coarse.width_px >= kLeastCoarse_px)
     plan.coarse = Fidelity{coarse.width_px, coarse.height_px, &memory.reference(coarse)};
+  Renderer& drawn = memory.frames(*realtime, {.keep_runs = false});
   ProgressBar progress;
   std::vector<GroupTuning> tunings;
-  for (TuneGroup& group : groups) tunings.push_back(tune_group(group, plan, home, *realtime, progress));
-  const std::vector<LitSum> sums = judge_lit_sums(options, tunings, *realtime, progress);
+  for (TuneGroup& group : groups) tunings.push_back(tune_group(group, plan, home, drawn, progress));
+  const std::vector<LitSum> sums = judge_lit_sums(options, tunings, drawn, progress);
   progress.clear();
   print_reuse(memory);
   write_results(out, tunings, sums);

@@ -13,10 +13,12 @@
 #include "cli/scene_memory.h"
 #include "cli/scene_options.h"
 #include "cli/staging.h"
+#include "cli/truth_memory.h"
 #include "cli/validation_text.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "core/names.h"
+#include "lab/stored_frames.h"
 #include "lab/validation_memory.h"
 #include "report/report.h"
 #include "results/measured.h"
@@ -232,12 +234,15 @@ int validate(const ValidateOptions& options, const GlobalOptions& global) {
   LateRenderer reference([&] { return open_reference_renderer(global, quality.picture, !options.no_skip); });
   const Makers makers{kReferenceMaker, realtime.identity(), hash_folder(home.shaders)};
   ValidationMemory memory(store, makers, !options.no_reuse);
+  StoredFrames frames(realtime.renderer(), store, makers, hash_of_technique, {.keep_runs = false},
+                      staging.folder());
+  const bool draws_all = options.no_reuse || options.no_skip;
   ProgressBar progress;
   Workload work = open_scenes(options.scenes, search, store, progress);
   print_warnings(store.take_warnings());
   if (work.scenes.empty()) fail_input("no scene is left to validate");
   Results results = run_validation(
-      work.scenes, plan, {reference, realtime.renderer()}, staging.folder(), progress,
+      work.scenes, plan, {reference, draws_all ? realtime.renderer() : frames}, staging.folder(), progress,
       [&](const SceneResult& scene) {
         progress.clear();
         print_warnings(store.take_warnings());
@@ -258,6 +263,7 @@ int validate(const ValidateOptions& options, const GlobalOptions& global) {
   const bool is_new = publish_results(staging.folder(), out, to_json_text(results), store);
   print_answer(global.json ? to_json_text_with_work(results) : validation_text(results, options.details));
   print_note(work_line(results.work));
+  if (const auto line = reused_frames_line(frames.take_reused())) print_note(*line);
   const std::string page = (out / "report.html").string();
   print_note(is_new ? fmt::format("wrote {}", page) : fmt::format("{} is of these results already", page));
   return code;

@@ -51,6 +51,17 @@ std::string run_key(const std::string& reference, const TechniqueRun& run, uint6
   return hasher.hex();
 }
 
+std::string frame_key(const std::string& scene_hash, size_t active_light, const RenderRequest& request,
+                      const std::string& technique_hash, const Makers& makers) {
+  Hasher hasher;
+  hasher.text("frame").text(kRealtimeCodeHash).text(makers.realtime).text(makers.shaders);
+  hasher.text(scene_hash).number(static_cast<double>(active_light));
+  hasher.number(request.width_px).number(request.height_px).text(technique_hash);
+  hasher.bytes(&request.seed, sizeof request.seed);
+  add(request.parameters, hasher);
+  return hasher.hex();
+}
+
 std::string moved_run_key(const std::string& run, const std::string& motion) {
   return motion.empty() ? run : Hasher().text("moved").text(run).text(motion).hex();
 }

@@ -31,6 +31,11 @@ std::string reference_key(const std::string& scene_hash, size_t active_light, co
 std::string run_key(const std::string& reference, const TechniqueRun& run, uint64_t seed,
                     const MetricChoice& metrics, const Makers& makers);
 
+/// Of a picture of real time, whatever it is compared with. `scene_hash`: hash_scene() of the scene as it stands;
+/// `technique_hash`: of its files, empty for none.
+std::string frame_key(const std::string& scene_hash, size_t active_light, const RenderRequest& request,
+                      const std::string& technique_hash, const Makers& makers);
+
 /// Of the G-buffer compared with the truth of `reference`.
 std::string parity_key(const std::string& reference, const Makers& makers);
 

@@ -3,6 +3,7 @@
 
 #include "core/hash.h"
 #include "core/version.h"
+#include "lab/stored_frames.h"
 #include "lab/validated.h"
 #include "results/causes_json.h"
 #include "results/json_parts.h"
@@ -186,6 +187,11 @@ void ValidationMemory::remember_run(const SceneSource& source, const ValidationP
   record.result.fault_causes.reset();  // the same
   store_.store().put({run.key, EntryKind::run, to_json_text(record)});
   note_validated(store_.store(), key_of(reference, run, plan, makers_), run.key);
+  if (!plan.motion.empty() || run.result.failure || run.lacks_pictures) return;
+  const RenderRequest request = request_of(plan.picture, run.technique, plan.picture.seed);
+  keep_frame(store_.store(),
+             frame_key(source.description.hash, source.active_light, request, run.technique.hash, makers_),
+             run.frame, std::vector{record.result.image_file});
 }
 
 bool ValidationMemory::recall_verdict(const TechniqueFrame& baseline, TechniqueFrame& run) {

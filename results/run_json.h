@@ -24,6 +24,7 @@ nlohmann::ordered_json reference_json(const std::optional<ReferenceResult>& refe
 std::optional<Interval> read_interval(const nlohmann::json& json);
 /// The numbers of a picture, which stand beside others.
 PictureQuality read_picture_quality(const nlohmann::json& json);
+ParameterValues read_parameters(const nlohmann::json& json);
 std::vector<PassTime> read_times(const nlohmann::json& json);
 std::optional<Failure> read_failure(const nlohmann::json& json);
 TechniqueResult read_technique(const nlohmann::json& json);

@@ -49,12 +49,6 @@ ParameterValue read_value(const Json& json) {
   return json.get<std::string>();
 }
 
-ParameterValues read_parameters(const Json& json) {
-  ParameterValues values;
-  for (const auto& [name, value] : json.items()) values[name] = read_value(value);
-  return values;
-}
-
 /// Those that nothing else holds. Files of before rows lack them.
 std::map<std::string, double> read_measured(const Json& values) {
   std::map<std::string, double> measured;
@@ -76,6 +70,12 @@ std::optional<TemporalNumbers> read_temporal(const Json& json) {
 }
 
 }  // namespace
+
+ParameterValues read_parameters(const Json& json) {
+  ParameterValues values;
+  for (const auto& [name, value] : json.items()) values[name] = read_value(value);
+  return values;
+}
 
 std::optional<Interval> read_interval(const nlohmann::json& json) {
   if (json.is_null()) return std::nullopt;

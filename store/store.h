@@ -18,7 +18,7 @@ inline constexpr const char* kStoreFile = "store.sqlite";
 
 /// What an entry is about.
 /// `device` and `page` are of one machine: they do not go along when stores are merged.
-enum class EntryKind { run, reference, parity, verdict, scene, device, page, answer };
+enum class EntryKind { run, reference, parity, verdict, scene, device, page, answer, frame };
 std::string_view to_text(EntryKind kind);
 std::optional<EntryKind> read_kind(std::string_view text);
 

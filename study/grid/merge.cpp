@@ -29,7 +29,7 @@ MergeCounts merge_store(Store& from, Store& into) {
   MergeCounts counts;
   // Devices and pages are of one machine.
   for (const EntryKind kind : {EntryKind::scene, EntryKind::reference, EntryKind::parity, EntryKind::run,
-                               EntryKind::verdict, EntryKind::answer}) {
+                               EntryKind::verdict, EntryKind::answer, EntryKind::frame}) {
     for (const Entry& entry : from.entries(kind)) {
       const auto present = into.find(entry.key);
       if (present && (kind != EntryKind::run || worth(*present) >= worth(entry.json))) {

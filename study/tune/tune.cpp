@@ -70,7 +70,7 @@ class Tuning {
       result_.grid = check_grid(judge, space_, plan_.is_active, base(), plan_.grid_steps);
     for (const SceneJob& job : scenes_) result_.scenes.push_back(job.name);
     for (const Parameter& axis : space_) result_.tuned.push_back(axis.name);
-    result_.device = studio_.render(judge.views().front(), base()).device;
+    result_.device = judge.views().front().device;
     result_.wall_time_s = seconds_since(start_);
     return std::move(result_);
   }

@@ -82,7 +82,7 @@ std::string hash_view(const View& view) {
 View Studio::make_view(SceneJob& job, double angle_deg, const Fidelity& fidelity) {
   const Camera& own = job.scene.camera;
   const Camera camera = angle_deg == 0.0 ? own : orbit(own, angle_deg);
-  View view{name_of(job, angle_deg), &job, angle_deg, camera, fidelity, {}, {}};
+  View view{name_of(job, angle_deg), &job, angle_deg, camera, fidelity, {}, {}, {}};
   view.reference = render(*fidelity.reference, view, {}, {}, progress_).image;
   const Frame surfaces = render(realtime_, view, {}, {}, silent_);
   const glm::dvec3& eye_world = camera.eye_world;
@@ -91,6 +91,7 @@ View Studio::make_view(SceneJob& job, double angle_deg, const Fidelity& fidelity
     fail_input(fmt::format("{}: the renderers agree on {:.2f} % of the pixels only", view.name,
                            100.0 * parity.agreement));
   }
+  view.device = surfaces.device;
   view.mask = scored_mask(parity, view.reference);
   view.key = hash_view(view);
   return view;

@@ -32,6 +32,7 @@ struct View {
   Image reference;
   std::vector<uint8_t> mask;  // scored pixels
   std::string key = {};       // of all above, for what is kept
+  std::string device = {};    // of real time
 };
 
 /// Where evaluations are kept; without answers nowhere.

@@ -78,14 +78,18 @@ class WindowMeasure {
 }  // namespace
 
 double median_texel_world(Studio& studio, const View& view, const ParameterValues& values) {
-  const Frame frame = studio.render(view, values);
-  if (!frame.image.has("texel_world")) return 0.0;
-  std::vector<double> widths;
-  const auto plane = frame.image.plane("texel_world");
-  for (size_t i = 0; i < plane.size(); ++i) {
-    if (view.mask[i] != 0 && plane[i] > 0.0f) widths.push_back(static_cast<double>(plane[i]));
-  }
-  return median_if_any(std::move(widths)).value_or(0.0);
+  const auto measure = [&]() -> Numbers {
+    const Frame frame = studio.render(view, values);
+    if (!frame.image.has("texel_world")) return std::nullopt;
+    std::vector<double> widths;
+    const auto plane = frame.image.plane("texel_world");
+    for (size_t i = 0; i < plane.size(); ++i) {
+      if (view.mask[i] != 0 && plane[i] > 0.0f) widths.push_back(static_cast<double>(plane[i]));
+    }
+    return std::vector{median_if_any(std::move(widths)).value_or(0.0)};
+  };
+  const Numbers median = studio.ask(view, {&values, 1}, "median texel", measure);
+  return median ? median->at(0) : 0.0;
 }
 
 std::vector<SafeWindow> find_windows(Studio& studio, const Judge& judge, const SearchSpace& space,
