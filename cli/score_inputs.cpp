@@ -4,7 +4,7 @@
 #include "cli/home.h"
 #include "cli/positive_number.h"
 #include "cli/progress_bar.h"
-#include "cli/reference_renderer.h"
+#include "cli/truth_memory.h"
 #include "core/error.h"
 #include "core/image_io.h"
 #include "lab/score.h"
@@ -15,13 +15,14 @@
 namespace umbrameter {
 namespace {
 
-void check_options(const ScoreInputOptions& options) {
+void check_options(const ScoreInputOptions& options, const GlobalOptions& global) {
   const bool is_pair = !options.shadowed.empty() || !options.unshadowed.empty();
   if (is_pair && (options.shadowed.empty() || options.unshadowed.empty()))
     fail_input("--shadowed and --unshadowed go together", {}, "give both, or one image with visibility");
   if (is_pair == !options.pictures.empty())
     fail_input(is_pair ? "an image and a pair are given" : "there is nothing to score", {},
                "give images with visibility, or --shadowed and --unshadowed");
+  require_store(options.no_reuse, global);
   if (options.reference.empty() && options.scene.empty())
     fail_input("there is nothing to score against", {}, "--reference FILE, or --scene NAME to render it");
 }
@@ -33,10 +34,11 @@ Image render_truth(const SceneJob& job, const ScoreInputOptions& options, const 
   wanted.width = picture.width;
   wanted.height = picture.height;
   const Quality quality = choose_quality(wanted);
-  const auto renderer = open_reference_renderer(global, quality.picture);
+  TruthMemory memory(global, global.out, !options.no_reuse);
   ProgressBar progress;
   const RenderRequest request = request_of(quality.picture);
-  Frame frame = renderer->render(job.scene, request, progress);
+  Frame frame = memory.reference(quality.picture).render(job.scene, request, progress);
+  print_reuse(memory);
   add_metadata(frame, job.scene, request);
   return std::move(frame.image);
 }
@@ -79,6 +81,8 @@ void add_score_input_options(CLI::App& verb, ScoreInputOptions& options) {
   verb.add_option("--reference", options.reference, "EXR made by 'umbrameter reference'");
   verb.add_option("--scene", options.scene,
                   "scene that the pictures show; renders the reference unless it is given");
+  verb.add_flag("--no-reuse", options.no_reuse,
+                "render the truth of --scene though the store in --out knows it");
   verb.add_option("--shadowed", options.shadowed,
                   "instead of pictures: the scene lit by the light alone, with shadows");
   verb.add_option("--unshadowed", options.unshadowed, "the same without shadows; their ratio is scored");
@@ -107,7 +111,7 @@ void add_score_input_options(CLI::App& verb, ScoreInputOptions& options) {
 }
 
 ScoreInputs load_score_inputs(const ScoreInputOptions& options, const GlobalOptions& global) {
-  check_options(options);
+  check_options(options, global);
   if (!global.light.empty() && options.scene.empty())
     fail_input("--light goes with --scene: a reference image is of one light already");
   if (global.time_s && options.scene.empty())

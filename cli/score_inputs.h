@@ -27,6 +27,7 @@ struct ScoreInputOptions {
   std::string axes;
   double unit = 1.0;
   std::string scene;
+  bool no_reuse = false;  // render the truth of `scene` though the store in --out knows it
   QualityOptions quality;
 };
 

@@ -48,6 +48,8 @@ class AnyOrder : public CliTest {
         "samples_per_pixel = 16\n";
     const std::string runs =
         "[[run]]\ntechnique = \"hard\"\n[[run]]\ntechnique = \"pcf\"\n[[run]]\ntechnique = \"pcss\"\n";
+    ASSERT_EQ(umbrameter(sized({"render", "plate", "--technique", "hard", "--out", "picture.exr"})).exit_code,
+              0);
     write("study.toml", views + "frames = 6\n" + runs);
     write("suite.toml", views + runs);
   }
@@ -70,6 +72,7 @@ class AnyOrder : public CliTest {
         {"regress", "record", "suite.toml", "--baseline", "base", "--reason", "again"},
         sized({"stress", "--axis", "map_size", "--technique", "hard"}),
         sized({"techniques", "traits", "hard"}),
+        {"score", "picture.exr", "--scene", "plate", "--spp", "16"},
         {"selftest", "--scene", "plate", "--width", "64", "--height", "64"},
         sized({"tune", "plate", "--technique", "pcf_disk", "--evaluations", "4", "--cameras", "1",
                "--no-coarse", "--time-limit", "1000s"})};
