@@ -2,20 +2,20 @@
 // Milliseconds a megapixel of each metric, on one and two threads, over a synthetic 1920x1080 pair; `everything` is
 // what a score with diagnosis and second opinions costs together. cpu_ms_per_megapixel is the time of all threads: what a
 // machine with other work can measure.
-#include "metrics/causes.h"
-#include "metrics/contact_hardening.h"
-#include "metrics/envelope.h"
-#include "metrics/faults.h"
-#include "metrics/flip.h"
-#include "metrics/lit_similarity.h"
-#include "metrics/moire.h"
-#include "metrics/parity.h"
-#include "metrics/penumbra.h"
-#include "metrics/significance.h"
-#include "metrics/similarity.h"
-#include "metrics/temporal.h"
-#include "metrics/verdict.h"
-#include "metrics/visibility_error.h"
+#include "metrics/causes/causes.h"
+#include "metrics/error/lit_similarity.h"
+#include "metrics/error/similarity.h"
+#include "metrics/error/verdict.h"
+#include "metrics/error/visibility_error.h"
+#include "metrics/faults/faults.h"
+#include "metrics/faults/moire.h"
+#include "metrics/flip/flip.h"
+#include "metrics/image/parity.h"
+#include "metrics/penumbra/contact_hardening.h"
+#include "metrics/penumbra/envelope.h"
+#include "metrics/penumbra/penumbra.h"
+#include "metrics/statistics/significance.h"
+#include "metrics/temporal/temporal.h"
 
 #include <benchmark/benchmark.h>
 

@@ -4,8 +4,8 @@
 #include "cli/draw_log.h"
 #include "core/error.h"
 #include "engines/engines.h"
-#include "metrics/parity.h"
-#include "metrics/surface.h"
+#include "metrics/image/parity.h"
+#include "metrics/image/surface.h"
 #include "realtime/device_identity.h"
 
 #include <fmt/format.h>

@@ -12,7 +12,7 @@
 
 namespace umbrameter {
 
-/// An engine's frame gets the surfaces of our own rasteriser, once the engine's own agree with them (metrics/parity.h); pixels
+/// An engine's frame gets the surfaces of our own rasteriser, once the engine's own agree with them (metrics/image/parity.h); pixels
 /// that do not agree become unknown. Error{environment} when too few do.
 class RunRenderer final : public Renderer {
  public:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # umbrameter_room(<name> [LINKS ...] [PRIVATE_LINKS ...]): one static library a room; its sources are the folder,
 # less subfolders that have a CMakeLists.txt of their own.
-# The include root is the repository, so an include path shows the room: #include "metrics/parity.h".
+# The include root is the repository, so an include path shows the room: #include "metrics/image/parity.h".
 # umbrameter_options(<target>): the warnings and sanitizers every target of ours is built with.
 
 function(umbrameter_options target)

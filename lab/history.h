@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The rows of the catalogue that ask how a technique with history gets to its picture. Not here: the metrics
-// (metrics/history.h).
+// (metrics/temporal/history.h).
 
 #include "core/image.h"
 

@@ -9,7 +9,7 @@
 #include "lab/technique_result.h"
 #include "lab/timing.h"
 #include "lab/verdicts.h"
-#include "metrics/shadow_quantity.h"
+#include "metrics/image/shadow_quantity.h"
 #include "results/guard.h"
 #include "results/metadata.h"
 #include "results/pictures.h"

@@ -2,7 +2,7 @@
 #include "lab/score.h"
 
 #include "core/error.h"
-#include "metrics/lit_error.h"
+#include "metrics/error/lit_error.h"
 #include "metrics/maps.h"
 #include "results/catalogue.h"
 #include "results/guard.h"

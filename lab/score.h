@@ -3,9 +3,9 @@
 // Parity, visibility error, significance and diagnosis of one image against the reference; what `validate` and `score` both ask.
 
 #include "core/image.h"
-#include "metrics/lit_similarity.h"
-#include "metrics/parity.h"
-#include "metrics/visibility_error.h"
+#include "metrics/error/lit_similarity.h"
+#include "metrics/error/visibility_error.h"
+#include "metrics/image/parity.h"
 #include "results/metric_choice.h"
 #include "results/results.h"
 

@@ -2,8 +2,8 @@
 #include "lab/stored_truth.h"
 
 #include "core/image_io.h"
-#include "metrics/lit_error.h"
-#include "metrics/parity.h"
+#include "metrics/error/lit_error.h"
+#include "metrics/image/parity.h"
 
 #include <algorithm>
 

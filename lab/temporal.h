@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Sequences for the temporal metrics: the camera or the light moves, or the seed changes. Not here: the metrics
-// (metrics/temporal.h) and the steps (scenes/motion.h).
+// (metrics/temporal/temporal.h) and the steps (scenes/motion.h).
 
-#include "metrics/temporal.h"
+#include "metrics/temporal/temporal.h"
 #include "results/results.h"
 #include "scenes/scene.h"
 

@@ -4,7 +4,7 @@
 // runs (heat, other programs) changes all of them alike.
 
 #include "core/renderer.h"
-#include "metrics/frame_times.h"
+#include "metrics/statistics/frame_times.h"
 #include "results/results.h"
 
 #include <functional>

@@ -3,7 +3,7 @@
 
 #include "core/image_io.h"
 #include "lab/keys.h"
-#include "metrics/parity.h"
+#include "metrics/image/parity.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "metrics/diagnosis.h"
 
-#include "metrics/texel_footprint.h"
+#include "metrics/image/texel_footprint.h"
 
 #include <algorithm>
 #include <functional>

@@ -4,11 +4,11 @@
 // (docs/metrics.md). Not here: how wrong they are (lab/score.h).
 
 #include "core/image.h"
-#include "metrics/causes.h"
-#include "metrics/contact_hardening.h"
-#include "metrics/faults.h"
-#include "metrics/moire.h"
-#include "metrics/penumbra.h"
+#include "metrics/causes/causes.h"
+#include "metrics/faults/faults.h"
+#include "metrics/faults/moire.h"
+#include "metrics/penumbra/contact_hardening.h"
+#include "metrics/penumbra/penumbra.h"
 
 #include <array>
 #include <cstdint>

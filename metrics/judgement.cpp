@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "metrics/judgement.h"
 
-#include "metrics/shadow_quantity.h"
+#include "metrics/image/shadow_quantity.h"
 
 namespace umbrameter {
 namespace {

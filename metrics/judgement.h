@@ -4,8 +4,8 @@
 // a limit (docs/metrics.md). Not here: how large they are (lab/score.h) and why (metrics/diagnosis.h).
 
 #include "core/image.h"
-#include "metrics/significance.h"
-#include "metrics/verdict.h"
+#include "metrics/error/verdict.h"
+#include "metrics/statistics/significance.h"
 
 #include <cstdint>
 #include <optional>
@@ -56,7 +56,7 @@ struct ScoredImage {
 std::optional<RunVerdict> judge_against(const ScoredImage& candidate, const ScoredImage& baseline,
                                         const std::string& baseline_name, const Image& reference);
 
-/// The same of two runs' pictures, each of which says what it is (metrics/shadow_quantity.h), against `reference` as rendered.
+/// The same of two runs' pictures, each of which says what it is (metrics/image/shadow_quantity.h), against `reference` as rendered.
 /// Absent, too, where they are of different quantities: their errors are not of one kind.
 std::optional<RunVerdict> judge_runs(const ScoredImage& candidate, const ScoredImage& baseline,
                                      const std::string& baseline_name, const Image& reference);

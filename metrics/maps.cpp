@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "metrics/maps.h"
 
-#include "metrics/nearest_feature.h"
+#include "metrics/image/nearest_feature.h"
 
 #include <algorithm>
 #include <cmath>

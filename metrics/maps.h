@@ -4,7 +4,7 @@
 
 #include "core/image.h"
 #include "metrics/diagnosis.h"
-#include "metrics/significance.h"
+#include "metrics/statistics/significance.h"
 
 #include <cstdint>
 #include <span>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/error.h"
-#include "metrics/penumbra.h"
-#include "metrics/penumbra_walk.h"
-#include "metrics/shadow_quantity.h"
+#include "metrics/image/shadow_quantity.h"
+#include "metrics/penumbra/penumbra.h"
+#include "metrics/penumbra/penumbra_walk.h"
 #include "python/bindings.h"
 
 #include <pybind11/numpy.h>

@@ -17,7 +17,7 @@ struct PlaneCode {
   bool is_delta = false;  // words are stored as zigzag differences to the word before
 };
 
-/// V in steps that are an eighth of what nobody calls an error (.001, metrics/significance.h); R in finer ones.
+/// V in steps that are an eighth of what nobody calls an error (.001, metrics/statistics/significance.h); R in finer ones.
 inline constexpr PlaneCode kTestVisibilityCode{0.0, 1.0 / 4095.0, false};
 inline constexpr PlaneCode kReferenceVisibilityCode{0.0, 1.0 / 65535.0, true};
 inline constexpr PlaneCode kHalfCode{};

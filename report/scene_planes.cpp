@@ -2,7 +2,7 @@
 #include "report/scene_planes.h"
 
 #include "core/image_io.h"
-#include "metrics/width_pairs.h"
+#include "metrics/penumbra/width_pairs.h"
 #include "report/plane_code.h"
 #include "results/picture_classes.h"
 

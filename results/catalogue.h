@@ -4,7 +4,7 @@
 // docs/metrics.md go through these rows: a new metric is a pair of files that measures it, and a row.
 
 #include "core/image.h"
-#include "metrics/history.h"
+#include "metrics/temporal/history.h"
 #include "results/diagnosis_format.h"
 #include "results/results.h"
 

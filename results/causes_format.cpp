@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "results/causes_format.h"
 
-#include "metrics/substitutions.h"
+#include "metrics/causes/substitutions.h"
 #include "results/diagnosis_format.h"
 #include "results/format.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 // Causes by substitution as people read them; the terminal, the JSON and the report show the same text.
 
-#include "metrics/fault_causes.h"
+#include "metrics/causes/fault_causes.h"
 
 #include "results/diagnosis_format.h"
 

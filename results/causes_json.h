@@ -2,7 +2,7 @@
 #pragma once
 // Causes by substitution in results.json and in the store (docs/results.md).
 
-#include "metrics/fault_causes.h"
+#include "metrics/causes/fault_causes.h"
 
 #include <nlohmann/json.hpp>
 

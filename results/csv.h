@@ -2,7 +2,7 @@
 #pragma once
 // Lines of comma-separated values.
 
-#include "metrics/visibility_error.h"
+#include "metrics/error/visibility_error.h"
 
 #include <optional>
 #include <string>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "results/measured_rows.h"
 
-#include "metrics/history.h"
-#include "metrics/map_seam.h"
-#include "metrics/worst_pixels.h"
+#include "metrics/error/worst_pixels.h"
+#include "metrics/faults/map_seam.h"
+#include "metrics/temporal/history.h"
 
 namespace umbrameter {
 

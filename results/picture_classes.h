@@ -2,8 +2,8 @@
 #pragma once
 // What the class pictures say, read back: the inverse of results/pictures.h.
 
-#include "metrics/faults.h"
-#include "metrics/parity.h"
+#include "metrics/faults/faults.h"
+#include "metrics/image/parity.h"
 
 #include <cstdint>
 #include <filesystem>

@@ -4,8 +4,8 @@
 // legend takes them from here.
 
 #include "core/image.h"
-#include "metrics/faults.h"
-#include "metrics/parity.h"
+#include "metrics/faults/faults.h"
+#include "metrics/image/parity.h"
 
 #include <array>
 #include <cstdint>

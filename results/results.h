@@ -5,14 +5,14 @@
 
 #include "core/error.h"
 #include "core/parameters.h"
+#include "metrics/causes/fault_causes.h"
 #include "metrics/diagnosis.h"
-#include "metrics/fault_causes.h"
-#include "metrics/frame_times.h"
+#include "metrics/error/lit_similarity.h"
+#include "metrics/error/visibility_error.h"
+#include "metrics/image/parity.h"
 #include "metrics/judgement.h"
-#include "metrics/lit_similarity.h"
-#include "metrics/parity.h"
-#include "metrics/temporal.h"
-#include "metrics/visibility_error.h"
+#include "metrics/statistics/frame_times.h"
+#include "metrics/temporal/temporal.h"
 #include "results/picture_quality.h"
 #include "scenes/animation_time.h"
 
@@ -63,7 +63,7 @@ struct ReferenceResult {
   double mean_sample_count = 0.0;
   size_t scorable_pixels = 0;                // surfaces that the light can reach
   std::optional<double> model_gap_rmse;      // of S - V of the truth, below which no visibility can come
-  std::optional<double> model_gap_lit_rmse;  // the same of the lit picture (metrics/lit_error.h)
+  std::optional<double> model_gap_lit_rmse;  // the same of the lit picture (metrics/error/lit_error.h)
   double proven_lit_share = 0.0;             // of the covered pixels: no caster between them and the light
   double proven_dark_share = 0.0;            // one triangle, or their own surface, hides all of the light
   std::vector<std::string> warnings;
@@ -84,9 +84,10 @@ struct TemporalNumbers {
 /// What a picture got against the truth. `error` is absent where parity fails, and everything with it.
 struct Measures {
   std::optional<VisibilityError> error;
-  std::optional<double> lit_rmse;      // of the lit picture (metrics/lit_error.h); absent without halves of S
-  Judgement judgement;                 // empty without `error`
-  std::optional<Diagnosis> diagnosis;  // absent without `error`, and when a warning says why
+  std::optional<double>
+      lit_rmse;         // of the lit picture (metrics/error/lit_error.h); absent without halves of S
+  Judgement judgement;  // empty without `error`
+  std::optional<Diagnosis> diagnosis;      // absent without `error`, and when a warning says why
   std::optional<Similarity> similarity;    // when asked for
   std::map<std::string, double> measured;  // by key: rows of results/catalogue.h that have `measure`
 };
@@ -97,7 +98,7 @@ struct TechniqueResult : Measures {
   std::string label;      // unique in its scene
   std::string technique;  // id
   std::string title;
-  std::string quantity = "visibility";  // what its picture is (metrics/shadow_quantity.h)
+  std::string quantity = "visibility";  // what its picture is (metrics/image/shadow_quantity.h)
   std::string hash;                     // of the technique's manifest and shaders
   ParameterValues parameters;
   std::optional<Failure> failure;
@@ -131,7 +132,7 @@ struct SceneResult {
   std::string light_type;
   std::vector<AnimatedMesh> animated;  // as Scene's
   uint64_t triangles = 0;
-  std::string quantity = "visibility";  // that runs were compared as (metrics/shadow_quantity.h)
+  std::string quantity = "visibility";  // that runs were compared as (metrics/image/shadow_quantity.h)
   std::vector<std::string> warnings;
   std::optional<Failure> failure;  // the reference, the G-buffer or the comparison failed
   std::optional<ReferenceResult> reference;

@@ -2,7 +2,7 @@
 #pragma once
 // Second opinions for people.
 
-#include "metrics/lit_similarity.h"
+#include "metrics/error/lit_similarity.h"
 #include "results/diagnosis_format.h"
 
 namespace umbrameter {

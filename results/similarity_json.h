@@ -2,7 +2,7 @@
 #pragma once
 // Second opinions in results.json and in the store (docs/results.md).
 
-#include "metrics/lit_similarity.h"
+#include "metrics/error/lit_similarity.h"
 
 #include <nlohmann/json.hpp>
 

@@ -16,7 +16,7 @@ constexpr std::array<std::string_view, kGateClasses> kClassNames = {
 
 constexpr double kCoarser = 1.1;  // of the baseline's texels; less is how a map is laid over a scene
 
-constexpr double kMostly = 0.8;  // as of a component that is one kind's (metrics/faults.h)
+constexpr double kMostly = 0.8;  // as of a component that is one kind's (metrics/faults/faults.h)
 
 struct FaultPair {
   FaultClass fault;

@@ -4,7 +4,7 @@
 // technique (docs/selftest.md). Not here: the numbers it rests on (lab/score.h) and where runs come from.
 
 #include "metrics/diagnosis.h"
-#include "metrics/visibility_error.h"
+#include "metrics/error/visibility_error.h"
 #include "results/results.h"
 
 #include <cstdint>
@@ -48,7 +48,7 @@ std::string_view name_of(GateClass kind);
 struct GateRun {
   std::optional<Failure> failure;
   std::vector<std::string> metric_problems;  // study/metric_probe.h
-  std::vector<std::string> truth_problems;   // metrics/truth_check.h
+  std::vector<std::string> truth_problems;   // metrics/error/truth_check.h
   bool parity_passes = true;
   bool is_other_light = false;  // where parity fails: the surfaces agree, the light on them does not
   std::optional<VisibilityError> error;
@@ -94,7 +94,7 @@ double worst_severity(const GateVerdict& verdict);
 
 /// `baseline` null: against the limits alone. Main is the first class that voids; else, of faults and penumbrae, the one
 /// with the largest excess of the mean absolute error; a penumbra's is told further by what is most out of its limit.
-/// `worse` says that the run is worse than the baseline for certain (metrics/verdict.h).
+/// `worse` says that the run is worse than the baseline for certain (metrics/error/verdict.h).
 GateVerdict judge_gate(const GateRun& run, const GateRun* baseline, bool worse,
                        const GateLimits& limits = {});
 

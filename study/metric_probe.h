@@ -4,7 +4,7 @@
 // squared, halves multiplied.
 
 #include "core/image.h"
-#include "metrics/visibility_error.h"
+#include "metrics/error/visibility_error.h"
 
 #include <cstdint>
 #include <functional>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/resolved.h"
 
-#include "metrics/components.h"
-#include "metrics/penumbra.h"
-#include "metrics/surface.h"
-#include "metrics/texel_footprint.h"
+#include "metrics/image/components.h"
+#include "metrics/image/surface.h"
+#include "metrics/image/texel_footprint.h"
+#include "metrics/penumbra/penumbra.h"
 
 #include <glm/vec2.hpp>
 

@@ -11,7 +11,7 @@
 
 namespace umbrameter {
 
-/// Share of the truth's edges that the texels of `picture` do not resolve (metrics/texel_footprint.h). Absent without edges
+/// Share of the truth's edges that the texels of `picture` do not resolve (metrics/image/texel_footprint.h). Absent without edges
 /// or without texels.
 std::optional<double> share_of_coarse_edges(const Image& picture, const Image& truth,
                                             std::span<const uint8_t> mask);

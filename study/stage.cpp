@@ -2,8 +2,8 @@
 #include "study/stage.h"
 
 #include "lab/score.h"
-#include "metrics/shadow_quantity.h"
-#include "metrics/truth_check.h"
+#include "metrics/error/truth_check.h"
+#include "metrics/image/shadow_quantity.h"
 #include "results/guard.h"
 #include "results/measured.h"
 #include "results/metadata.h"

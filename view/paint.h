@@ -3,7 +3,7 @@
 // Frames and truths as pictures of the window. The colours of error, faults and background are results/pictures.h's.
 
 #include "core/image.h"
-#include "metrics/faults.h"
+#include "metrics/faults/faults.h"
 #include "results/pictures.h"
 
 #include <array>

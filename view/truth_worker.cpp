@@ -2,7 +2,7 @@
 #include "view/truth_worker.h"
 
 #include "core/clock.h"
-#include "metrics/parity.h"
+#include "metrics/image/parity.h"
 #include "reference/reference.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #include "lab/causes/blocker_extension.h"
 
 #include "core/blocker_planes.h"
-#include "metrics/nearest_feature.h"
+#include "metrics/image/nearest_feature.h"
 
 namespace umbrameter {
 

@@ -3,7 +3,7 @@
 // Draws a run again with one thing after another replaced, and measures what that does to its faults. Sees only pictures.
 
 #include "lab/causes/replacement.h"
-#include "metrics/fault_causes.h"
+#include "metrics/causes/fault_causes.h"
 
 #include <functional>
 

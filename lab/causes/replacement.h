@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// A run with one thing replaced by the truth or its limit (metrics/substitutions.h). Which parameters that are follows from the
+// A run with one thing replaced by the truth or its limit (metrics/causes/substitutions.h). Which parameters that are follows from the
 // manifest's groups, units and scales (docs/causes.md), never from a technique's id.
 
 #include "core/parameters.h"
-#include "metrics/substitutions.h"
+#include "metrics/causes/substitutions.h"
 #include "scenes/light.h"
 
 #include <cstdint>

@@ -59,7 +59,7 @@ struct EngineVisibility {
 /// visibility is refused, and the pixel of a pair is left out.
 inline constexpr double kRangeSlack = 0.02;
 
-/// `scorable`: what the truth can score (metrics/parity.h); other pixels are neither counted nor refused. Error{input} for
+/// `scorable`: what the truth can score (metrics/image/parity.h); other pixels are neither counted nor refused. Error{input} for
 /// values outside the range, numbers that are none, and colour.
 EngineVisibility visibility_of(const EngineImage& visibility, std::span<const uint8_t> scorable);
 

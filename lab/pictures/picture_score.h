@@ -6,7 +6,7 @@
 #include "lab/pictures/engine_image.h"
 #include "lab/pictures/engine_surfaces.h"
 #include "lab/score.h"
-#include "metrics/shadow_quantity.h"
+#include "metrics/image/shadow_quantity.h"
 
 #include <optional>
 #include <string>

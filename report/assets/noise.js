@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Does a pixel's error stand out from the reference's noise? The same as metrics/significance.cpp (docs/metrics.md).
+// Does a pixel's error stand out from the reference's noise? The same as metrics/statistics/significance.cpp (docs/metrics.md).
 
 const kFloorVariance = 1e-6;  // the square of what nobody calls an error
 const kReplicates = 8;        // from which the reference's standard error was taken

@@ -6,7 +6,7 @@
 #include "lab/renamed_progress.h"
 #include "lab/score.h"
 #include "lab/technique_result.h"
-#include "metrics/shadow_quantity.h"
+#include "metrics/image/shadow_quantity.h"
 #include "results/guard.h"
 #include "scenes/instances.h"
 #include "study/grid/bench_memory.h"

@@ -3,7 +3,7 @@
 
 #include "lab/stored_truth.h"
 #include "lab/technique_result.h"
-#include "metrics/shadow_quantity.h"
+#include "metrics/image/shadow_quantity.h"
 #include "results/json_parts.h"
 #include "results/pictures.h"
 

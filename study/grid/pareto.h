@@ -2,7 +2,7 @@
 #pragma once
 // One measured run, and which of several to take: the front of time against error, and the two questions people ask.
 
-#include "metrics/frame_times.h"
+#include "metrics/statistics/frame_times.h"
 #include "results/results.h"
 
 #include <cstdint>

@@ -3,8 +3,8 @@
 // Time against error of the truth itself: one scene at a series of settings. Sees only Renderer&.
 
 #include "core/renderer.h"
-#include "metrics/frame_times.h"
-#include "metrics/visibility_error.h"
+#include "metrics/error/visibility_error.h"
+#include "metrics/statistics/frame_times.h"
 
 #include <memory>
 #include <optional>

@@ -3,7 +3,7 @@
 
 #include "core/hash.h"
 #include "lab/timing.h"
-#include "metrics/frame_times.h"
+#include "metrics/statistics/frame_times.h"
 #include "results/guard.h"
 #include "results/metadata.h"
 #include "store/code_hashes.h"

@@ -2,9 +2,9 @@
 #include "study/selftest/injection.h"
 
 #include "core/sampling/sobol.h"
-#include "metrics/nearest_feature.h"
-#include "metrics/separable_filter.h"
-#include "metrics/surface.h"
+#include "metrics/image/nearest_feature.h"
+#include "metrics/image/separable_filter.h"
+#include "metrics/image/surface.h"
 
 #include <glm/geometric.hpp>
 

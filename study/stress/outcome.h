@@ -2,7 +2,7 @@
 #pragma once
 // What came of one technique, or of the truth, at one value of an axis.
 
-#include "metrics/visibility_error.h"
+#include "metrics/error/visibility_error.h"
 #include "results/results.h"
 
 #include <nlohmann/json_fwd.hpp>

@@ -2,7 +2,7 @@
 #include "study/stress/stress_scene.h"
 
 #include "core/files.h"
-#include "metrics/truth_check.h"
+#include "metrics/error/truth_check.h"
 #include "results/guard.h"
 #include "scenes/load_scene.h"
 

@@ -3,7 +3,7 @@
 
 #include "core/error.h"
 #include "core/statistics.h"
-#include "metrics/bootstrap.h"
+#include "metrics/statistics/bootstrap.h"
 #include "results/guard.h"
 
 #include <algorithm>

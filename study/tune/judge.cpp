@@ -2,8 +2,8 @@
 #include "study/tune/judge.h"
 
 #include "core/error.h"
-#include "metrics/parity.h"
-#include "metrics/verdict.h"
+#include "metrics/error/verdict.h"
+#include "metrics/image/parity.h"
 #include "results/guard.h"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What tuning each light of a scene is worth for all of them together: the lit picture, the sum over lights of visibility times
-// unshadowed irradiance, against the truth's sum of irradiance (metrics/lit_error.h).
+// unshadowed irradiance, against the truth's sum of irradiance (metrics/error/lit_error.h).
 
-#include "metrics/verdict.h"
+#include "metrics/error/verdict.h"
 #include "study/tune/tune.h"
 
 #include <optional>

@@ -3,9 +3,9 @@
 
 #include "core/error.h"
 #include "core/names.h"
-#include "metrics/bootstrap.h"
 #include "metrics/diagnosis.h"
-#include "metrics/parity.h"
+#include "metrics/image/parity.h"
+#include "metrics/statistics/bootstrap.h"
 
 #include <array>
 #include <cmath>

@@ -2,7 +2,7 @@
 #pragma once
 // What a tuner makes small (METRICS 6.13), and the shares of acne and peter-panning that bound a bias.
 
-#include "metrics/visibility_error.h"
+#include "metrics/error/visibility_error.h"
 
 #include <cstdint>
 #include <optional>

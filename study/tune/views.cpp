@@ -3,7 +3,7 @@
 
 #include "core/error.h"
 #include "core/hash.h"
-#include "metrics/shadow_quantity.h"
+#include "metrics/image/shadow_quantity.h"
 #include "results/guard.h"
 #include "results/json_optional.h"
 #include "scenes/scene_hash.h"

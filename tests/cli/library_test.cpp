@@ -75,7 +75,8 @@ class Library : public CliTest {
 TEST_F(Library, EveryBuiltInSceneIsMeasuredWithEveryTechnique) {
   const Json results = validate({"--width", "192", "--height", "108", "--spp", "64", "--frames", "0"});
   size_t view_count = 0;
-  for (const std::string& scene : scene_names(kLibrary)) view_count += light_count(kLibrary / (scene + ".toml"));
+  for (const std::string& scene : scene_names(kLibrary))
+    view_count += light_count(kLibrary / (scene + ".toml"));
   expect_all_measured(results, view_count);
 }
 

@@ -2,7 +2,7 @@
 // Without these the two renderers could show two moments of one animation.
 #include "core/files.h"
 #include "core/progress.h"
-#include "metrics/parity.h"
+#include "metrics/image/parity.h"
 #include "reference/reference.h"
 #include "scenes/load_scene.h"
 #include "technique_fixture.h"

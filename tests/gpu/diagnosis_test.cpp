@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Without these, faults and widths could be right on painted floors and wrong on what techniques draw.
 
-#include "metrics/contact_hardening.h"
-#include "metrics/faults.h"
-#include "metrics/parity.h"
+#include "metrics/faults/faults.h"
+#include "metrics/image/parity.h"
+#include "metrics/penumbra/contact_hardening.h"
 #include "tests/gpu/technique_fixture.h"
 #include "tests/support/case_scenes.h"
 #include "tests/support/source_dir.h"

@@ -2,7 +2,7 @@
 // Without these, shadows would be computed for other points than the ones the truth is computed for.
 
 #include "realtime/harness/gbuffer.h"
-#include "metrics/parity.h"
+#include "metrics/image/parity.h"
 #include "reference/reference.h"
 #include "tests/gpu/gl_test.h"
 #include "tests/support/procedural_scene.h"

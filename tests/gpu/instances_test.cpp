@@ -3,7 +3,7 @@
 
 #include "scenes/instances.h"
 #include "core/progress.h"
-#include "metrics/parity.h"
+#include "metrics/image/parity.h"
 #include "realtime/realtime.h"
 #include "reference/reference.h"
 #include "tests/gpu/technique_fixture.h"

@@ -5,7 +5,7 @@
 
 #include "core/progress.h"
 #include "core/statistics.h"
-#include "metrics/penumbra.h"
+#include "metrics/penumbra/penumbra.h"
 #include "reference/reference.h"
 #include "scenes/load_scene.h"
 #include "tests/support/source_dir.h"

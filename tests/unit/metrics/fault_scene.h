@@ -3,8 +3,8 @@
 // A floor with everything the fault classes ask for, from straight above: 256 x 128 px of 0.01, lit until a test
 // says otherwise.
 
-#include "metrics/faults.h"
-#include "synthetic.h"
+#include "metrics/faults/faults.h"
+#include "tests/unit/metrics/synthetic.h"
 
 #include <utility>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Without these, a metric could depend on the scene's unit or on which picture came first, or read past a smaller one.
-#include "metrics/causes.h"
-#include "metrics/moire.h"
-#include "metrics/similarity.h"
+#include "metrics/causes/causes.h"
+#include "metrics/error/similarity.h"
+#include "metrics/faults/moire.h"
 
 #include "core/error.h"
-#include "fault_scene.h"
+#include "tests/unit/metrics/fault_scene.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 
 #include "core/files.h"
 #include "core/image_io.h"
-#include "metrics/significance.h"
+#include "metrics/statistics/significance.h"
 
 namespace umbrameter {
 namespace {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Without these tests FLIP, SSIM and PSNR could be of another picture than the lit one.
 
-#include "metrics/lit_similarity.h"
+#include "metrics/error/lit_similarity.h"
 
 #include "results/similarity_format.h"
 #include "results/similarity_json.h"
 #include "tests/unit/metrics/synthetic.h"
 
 #include "core/error.h"
-#include "metrics/flip.h"
+#include "metrics/flip/flip.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
