@@ -10,11 +10,11 @@
 
 #include "bench/raw_limits.h"
 #include "core/clock.h"
+#include "lab/truth_curve.h"
 #include "reference/exact/box_visibility.h"
 #include "reference/ray_budget.h"
 #include "reference/reference.h"
 #include "scenes/load_scene.h"
-#include "study/grid/truth_curve.h"
 
 #include <fmt/format.h>
 

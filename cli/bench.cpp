@@ -83,7 +83,7 @@ LoadedStudy load(const std::string& file, const BenchOptions& options, const Hom
   return loaded;
 }
 
-/// The last target judges the others (study/grid/truth_curve.h); its sample limit is out of reach for all but thin things.
+/// The last target judges the others (lab/truth_curve.h); its sample limit is out of reach for all but thin things.
 TruthPlan make_truth_plan(int threads) {
   TruthPlan plan;
   std::vector<ReferenceSettings> settings;

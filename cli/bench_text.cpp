@@ -2,8 +2,8 @@
 #include "cli/bench_text.h"
 
 #include "cli/console.h"
+#include "results/bench/recommend.h"
 #include "results/format.h"
-#include "study/grid/recommend.h"
 
 #include <fmt/format.h>
 

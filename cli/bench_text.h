@@ -2,7 +2,7 @@
 #pragma once
 // A bench's results as text for the terminal.
 
-#include "study/grid/bench_json.h"
+#include "results/bench/bench_json.h"
 
 #include <string>
 

@@ -2,8 +2,8 @@
 #pragma once
 // Exact visibilities for study/stress.
 
+#include "lab/truth_oracle.h"
 #include "reference/exact_answer.h"
-#include "study/stress/truth_check.h"
 
 namespace umbrameter {
 

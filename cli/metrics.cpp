@@ -2,7 +2,7 @@
 #include "cli/console.h"
 #include "cli/verbs.h"
 #include "results/catalogue.h"
-#include "results/run_json.h"
+#include "results/json/run_json.h"
 
 #include <nlohmann/json.hpp>
 

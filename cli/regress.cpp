@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "results/regress/update.h"
 #include "study/regress/run.h"
 
 #include "cli/console.h"
@@ -14,7 +15,7 @@
 #include "lab/validation_memory.h"
 #include "report/regress_output.h"
 #include "report/report.h"
-#include "results/results_json.h"
+#include "results/json/results_json.h"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 
 #include "core/files.h"
 #include "core/hash.h"
-#include "results/json_parts.h"
+#include "results/json/json_parts.h"
 #include "scenes/scene_files.h"
 #include "store/code_hashes.h"
 #include "store/file_stamp.h"

@@ -10,8 +10,8 @@
 #include "lab/scene_run.h"
 #include "lab/stored_truth.h"
 #include "report/report.h"
+#include "results/json/results_json.h"
 #include "results/metadata.h"
-#include "results/results_json.h"
 
 #include <fmt/format.h>
 

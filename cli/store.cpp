@@ -6,8 +6,9 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/names.h"
+#include "lab/merge.h"
+#include "lab/stored_runs.h"
 #include "lab/verdicts.h"
-#include "study/grid/merge.h"
 
 #include <fmt/format.h>
 

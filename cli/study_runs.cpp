@@ -4,10 +4,10 @@
 #include "cli/preset_file.h"
 #include "core/error.h"
 #include "core/names.h"
+#include "results/bench/claims.h"
 #include "scenes/choose_light.h"
 #include "scenes/import_scene.h"
 #include "scenes/seen_from.h"
-#include "study/grid/claims.h"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 
 #include "cli/console.h"
 #include "results/format.h"
-#include "results/json_parts.h"
+#include "results/json/json_parts.h"
 #include "results/judgement_format.h"
 #include "study/study_camera.h"
 

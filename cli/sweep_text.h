@@ -2,7 +2,7 @@
 #pragma once
 // A sweep's plan and outcome, and what a store holds, as text and JSON.
 
-#include "study/grid/export.h"
+#include "results/json/export.h"
 #include "study/grid/screen.h"
 #include "study/grid/sweep.h"
 

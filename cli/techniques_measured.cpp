@@ -10,7 +10,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "realtime/manifest/technique.h"
-#include "results/results_json.h"
+#include "results/json/results_json.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

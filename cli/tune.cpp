@@ -13,10 +13,10 @@
 #include "realtime/manifest/activity.h"
 #include "report/report.h"
 #include "results/metadata.h"
+#include "results/tune/tune_files.h"
+#include "results/tune/tune_json.h"
 #include "study/tune/lengths.h"
 #include "study/tune/lit_sum.h"
-#include "study/tune/tune_files.h"
-#include "study/tune/tune_json.h"
 
 #include <fmt/format.h>
 
@@ -142,8 +142,7 @@ std::string stem_of(const GroupTuning& tuning, const std::string& light) {
 
 std::vector<LightTuning> light_tunings(const std::vector<GroupTuning>& tunings) {
   std::vector<LightTuning> lights;
-  for (const GroupTuning& tuning : tunings)
-    lights.push_back({tuning.group->light, &tuning.plan, &tuning.result});
+  for (const GroupTuning& tuning : tunings) lights.push_back({tuning.group->light, &tuning.result});
   return lights;
 }
 
@@ -153,14 +152,13 @@ void write_results(const std::filesystem::path& out, const std::vector<GroupTuni
   const GroupTuning& first = tunings.front();
   const bool is_by_light = !first.group->light.empty();
   const std::filesystem::path preset = out / (stem_of(first, "") + ".toml");
-  write_file_atomically(
-      preset, is_by_light ? preset_toml(light_tunings(tunings)) : preset_toml(first.plan, first.result));
+  write_file_atomically(preset,
+                        is_by_light ? preset_toml(light_tunings(tunings)) : preset_toml(first.result));
   for (const GroupTuning& tuning : tunings) {
     const std::string& light = tuning.group->light;
-    write_file_atomically(out / (stem_of(tuning, light) + "-engine.txt"),
-                          engine_block(tuning.plan, tuning.result));
+    write_file_atomically(out / (stem_of(tuning, light) + "-engine.txt"), engine_block(tuning.result));
     const std::string name = is_by_light ? "tune-" + file_name_of(light) : "tune";
-    write_file_atomically(out / (name + ".json"), to_json_text(tuning.plan, tuning.result));
+    write_file_atomically(out / (name + ".json"), to_json_text(tuning.result));
   }
   if (is_by_light) write_file_atomically(out / "lights.json", lights_json_text(light_tunings(tunings), sums));
   write_report(out, out / "report.html");
@@ -199,7 +197,7 @@ std::string answer_of(const std::vector<GroupTuning>& tunings, const std::vector
                       bool is_json) {
   const GroupTuning& first = tunings.front();
   if (first.group->light.empty())
-    return is_json ? to_json_text(first.plan, first.result) : tune_text(first.plan, first.result);
+    return is_json ? to_json_text(first.result) : tune_text(first.plan, first.result);
   if (is_json) return lights_json_text(light_tunings(tunings), sums);
   std::string text;
   for (const GroupTuning& tuning : tunings)

@@ -3,7 +3,7 @@
 
 #include "cli/console.h"
 #include "results/format.h"
-#include "study/tune/tune_files.h"
+#include "results/tune/tune_files.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -120,7 +120,7 @@ std::string tune_text(const TunePlan& plan, const TuneResult& result) {
                         result.grid->evaluations, result.grid->best_ratio, result.best.ratio);
   }
   for (const std::string& note : result.notes) text += "note: " + note + "\n";
-  return text + "\n" + engine_block(plan, result);
+  return text + "\n" + engine_block(result);
 }
 
 std::string lit_sum_text(const std::vector<LitSum>& sums) {

@@ -21,9 +21,9 @@
 #include "lab/stored_frames.h"
 #include "lab/validation_memory.h"
 #include "report/report.h"
+#include "results/json/results_json.h"
 #include "results/measured.h"
 #include "results/metadata.h"
-#include "results/results_json.h"
 
 #include <fmt/format.h>
 

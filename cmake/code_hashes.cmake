@@ -27,12 +27,11 @@ endfunction()
 hash_code(reference core scenes reference)
 hash_code(realtime core scenes realtime engines)
 hash_code(scoring core metrics lab results/measured_rows)
-set(gate study/gate study/stage study/metric_probe study/resolved)
-hash_code(regress ${gate} study/regress)
-hash_code(selftest ${gate} study/fault_case study/selftest)
+hash_code(regress metrics lab results/regress study/regress)
+hash_code(selftest metrics lab results/selftest study/stage study/fault_case study/selftest)
 hash_code(traits study/traits)
-hash_code(stress study/stress)
-hash_code(tune study/tune)
+hash_code(stress metrics lab results/stress study/stress)
+hash_code(tune metrics lab results/tune study/tune)
 set(text "#include \"store/code_hashes.h\"
 
 namespace umbrameter {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "lab/history.h"
 
+#include "core/guard.h"
 #include "lab/scene_run.h"
 #include "results/catalogue.h"
-#include "results/guard.h"
 
 #include <vector>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "lab/run_causes.h"
 
+#include "core/guard.h"
 #include "lab/causes/blocker_extension.h"
 #include "lab/causes/find_causes.h"
-#include "results/guard.h"
-#include "results/picture_classes.h"
+#include "results/pictures/picture_classes.h"
 
 #include <algorithm>
 #include <functional>

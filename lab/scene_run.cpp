@@ -3,6 +3,7 @@
 
 #include "core/clock.h"
 #include "core/files.h"
+#include "core/guard.h"
 #include "core/image_io.h"
 #include "lab/score.h"
 #include "lab/stored_truth.h"
@@ -10,10 +11,9 @@
 #include "lab/timing.h"
 #include "lab/verdicts.h"
 #include "metrics/image/shadow_quantity.h"
-#include "results/guard.h"
+#include "results/json/record.h"
 #include "results/metadata.h"
-#include "results/pictures.h"
-#include "results/record.h"
+#include "results/pictures/pictures.h"
 
 #include <fmt/format.h>
 

@@ -2,10 +2,10 @@
 #include "lab/score.h"
 
 #include "core/error.h"
+#include "core/guard.h"
 #include "metrics/error/lit_error.h"
 #include "metrics/maps.h"
 #include "results/catalogue.h"
-#include "results/guard.h"
 
 #include <algorithm>
 #include <array>

@@ -4,8 +4,8 @@
 
 #include "core/renderer.h"
 #include "lab/keys.h"
+#include "results/json/record.h"
 #include "results/picture_quality.h"
-#include "results/record.h"
 #include "store/late_store.h"
 
 #include <cstddef>

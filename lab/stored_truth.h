@@ -4,7 +4,7 @@
 // (lab/keys.h) and when it is asked for.
 
 #include "core/renderer.h"
-#include "results/record.h"
+#include "results/json/record.h"
 #include "store/store.h"
 
 #include <filesystem>

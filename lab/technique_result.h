@@ -2,9 +2,9 @@
 #pragma once
 // From a run to what is said of it, before it is scored.
 
-#include "lab/technique_run.h"
 #include "lab/timing.h"
 #include "results/results.h"
+#include "results/technique_run.h"
 
 namespace umbrameter {
 

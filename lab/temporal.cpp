@@ -2,8 +2,8 @@
 #include "lab/temporal.h"
 
 #include "core/error.h"
+#include "core/guard.h"
 #include "lab/scene_run.h"
-#include "results/guard.h"
 
 #include <array>
 

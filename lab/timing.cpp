@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "lab/timing.h"
 
+#include "core/guard.h"
 #include "lab/renamed_progress.h"
-#include "results/guard.h"
 
 #include <fmt/format.h>
 

@@ -6,6 +6,7 @@
 #include "core/renderer.h"
 #include "metrics/statistics/frame_times.h"
 #include "results/results.h"
+#include "results/timing_plan.h"
 
 #include <functional>
 #include <optional>
@@ -14,11 +15,6 @@
 #include <vector>
 
 namespace umbrameter {
-
-struct TimingPlan {
-  int wanted_frames = 9;  // a run; 0 = no timing
-  double budget_s = 3.0;  // a run; slow ones get fewer frames, never fewer than 1
-};
 
 struct LabelledRequest {
   std::string label;  // for the progress

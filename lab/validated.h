@@ -6,7 +6,7 @@
 #include "lab/timing.h"
 #include "lab/validation.h"
 #include "lab/verdicts.h"
-#include "results/record.h"
+#include "results/json/record.h"
 #include "store/late_store.h"
 
 #include <optional>

@@ -2,6 +2,7 @@
 #include "lab/validation.h"
 
 #include "core/files.h"
+#include "core/guard.h"
 #include "core/version.h"
 #include "lab/history.h"
 #include "lab/renamed_progress.h"
@@ -9,7 +10,6 @@
 #include "lab/scene_run.h"
 #include "lab/temporal.h"
 #include "lab/validation_memory.h"
-#include "results/guard.h"
 #include "results/savings.h"
 #include "scenes/instances.h"
 

@@ -5,9 +5,9 @@
 
 #include "core/renderer.h"
 #include "lab/causes/causes_wanted.h"
-#include "lab/technique_run.h"
 #include "results/metric_choice.h"
 #include "results/results.h"
+#include "results/technique_run.h"
 #include "scenes/scene.h"
 
 #include <filesystem>

@@ -5,12 +5,12 @@
 #include "core/version.h"
 #include "lab/stored_frames.h"
 #include "lab/validated.h"
-#include "results/causes_json.h"
-#include "results/json_parts.h"
-#include "results/judgement_json.h"
+#include "results/json/causes_json.h"
+#include "results/json/json_parts.h"
+#include "results/json/judgement_json.h"
+#include "results/json/record.h"
+#include "results/json/run_json.h"
 #include "results/metadata.h"
-#include "results/record.h"
-#include "results/run_json.h"
 #include "store/objects.h"
 
 #include <array>

@@ -2,7 +2,7 @@
 #pragma once
 // Which of two stored runs is nearer to the truth, from their images: no renderer is asked.
 
-#include "results/record.h"
+#include "results/json/record.h"
 #include "store/store.h"
 
 #include <optional>

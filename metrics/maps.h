@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The metrics' per-pixel answers as channels of an EXR (docs/results.md). Not here: pictures of them (results/pictures.h).
+// The metrics' per-pixel answers as channels of an EXR (docs/results.md). Not here: pictures of them (results/pictures/pictures.h).
 
 #include "core/image.h"
 #include "metrics/diagnosis.h"

@@ -5,8 +5,8 @@
 #include "lab/pictures/picture_json.h"
 #include "lab/pictures/picture_score.h"
 #include "python/bindings.h"
-#include "results/pictures.h"
-#include "results/run_json.h"
+#include "results/json/run_json.h"
+#include "results/pictures/pictures.h"
 
 #include <nlohmann/json.hpp>
 

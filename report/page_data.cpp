@@ -5,9 +5,9 @@
 #include "report/scene_planes.h"
 #include "report/side_data.h"
 #include "report/tune_files.h"
-#include "results/pictures.h"
-#include "results/results_json.h"
-#include "results/run_json.h"
+#include "results/json/results_json.h"
+#include "results/json/run_json.h"
+#include "results/pictures/pictures.h"
 
 #include <nlohmann/json.hpp>
 

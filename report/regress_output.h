@@ -2,8 +2,7 @@
 #pragma once
 // A check as others read it: people, CI servers, programs. Not here: the page (report/assets/regress.js).
 
-#include "study/regress/prove.h"
-#include "study/regress/run.h"
+#include "results/regress/outcome.h"
 
 #include <span>
 #include <string>

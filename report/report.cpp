@@ -3,14 +3,14 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "lab/stored_results.h"
 #include "report/assets.h"
 #include "report/before.h"
 #include "report/html.h"
 #include "report/page_data.h"
 #include "report/side_files.h"
-#include "results/results_json.h"
+#include "results/json/results_json.h"
 #include "store/store.h"
-#include "study/grid/stored_results.h"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 #include "core/image_io.h"
 #include "metrics/penumbra/width_pairs.h"
 #include "report/plane_code.h"
-#include "results/picture_classes.h"
+#include "results/pictures/picture_classes.h"
 
 #include <fmt/format.h>
 

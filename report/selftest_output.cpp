@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/selftest_output.h"
 
-#include "results/json_optional.h"
+#include "results/json/json_optional.h"
 
 #include <fmt/format.h>
 

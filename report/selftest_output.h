@@ -2,7 +2,7 @@
 #pragma once
 // The selftest's matrix for people (also docs/selftest.md) and for programs.
 
-#include "study/selftest/selftest.h"
+#include "results/selftest/outcome.h"
 
 #include <string>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/stress_output.h"
-#include "results/json_parts.h"
+#include "results/json/json_parts.h"
 
 #include <nlohmann/json.hpp>
 

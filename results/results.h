@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What a validation found, as plain data: the model behind results.json (docs/results.md), the terminal table
-// and the report. Not here: files (results/results_json.h) and how the numbers come about (lab/validation.h).
+// and the report. Not here: files (results/json/results_json.h) and how the numbers come about (lab/validation.h).
 
-#include "core/error.h"
+#include "core/guard.h"
 #include "core/parameters.h"
 #include "metrics/causes/fault_causes.h"
 #include "metrics/diagnosis.h"
@@ -30,12 +30,6 @@ struct Skip {
   std::string technique;
   std::string reason;
   std::optional<double> saved_s = {};  // estimate (results/savings.h); absent when nothing tells
-};
-
-/// Why a run has no result: the text and kind of the Error it ended with.
-struct Failure {
-  ErrorKind kind = ErrorKind::internal;
-  std::string message;
 };
 
 /// Parity without its per-pixel classes.

@@ -12,10 +12,6 @@
 
 namespace umbrameter {
 
-/// Where a fault sits.
-enum class FaultOrigin : uint8_t { technique, image, reference, metric };
-std::string_view name_of(FaultOrigin origin);
-
 /// One picture to be judged.
 struct Trial {
   std::optional<Failure> failure;  // instead of a picture

@@ -24,9 +24,6 @@ std::string full_name(const std::string& scene, const std::string& camera);
 /// names given twice and cameras that see nothing.
 std::vector<StudyCamera> read_study_cameras(TomlReader& study);
 
-/// The camera turned around what it looks at, about its up direction.
-Camera orbit(const Camera& camera, double angle_deg);
-
 /// The camera in a scene whose own is `own`.
 Camera camera_in(const StudyCamera& chosen, const Camera& own);
 

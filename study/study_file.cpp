@@ -17,7 +17,6 @@ namespace {
 constexpr int64_t kStudySchema = 1;
 constexpr int64_t kMaxFrames = 10000;
 
-const std::array<std::string, 4> kQuantities{"time", "fps", "memory", "pass_time"};
 const std::array<std::string, 3> kClaimPictures{"other", "same", "either"};
 
 std::optional<int64_t> positive(TomlReader& reader, const std::string& key) {
@@ -114,7 +113,7 @@ Claim read_claim(const TomlNode& table, const StudyFile& study) {
   claim.denominator = label("denominator");
   if (claim.numerator == claim.denominator)
     reader.fail("denominator", "numerator and denominator are the same run");
-  claim.quantity = static_cast<Quantity>(reader.choice("quantity", kQuantities));
+  claim.quantity = static_cast<Quantity>(reader.choice("quantity", quantity_names()));
   const bool needs_pass = claim.quantity == Quantity::pass_time;
   if (needs_pass) claim.pass = reader.text("pass");
   const bool is_frame = claim.quantity == Quantity::time || claim.quantity == Quantity::fps;
@@ -220,16 +219,6 @@ void read_effort(TomlReader& reader, StudyFile& study) {
 
 }  // namespace
 
-std::optional<PaperRatio> paper_ratio(const Claim& claim, const std::string& scene) {
-  for (const auto& [name, ratio] : claim.by_scene) {
-    if (name == scene) return ratio;
-  }
-  for (const auto& [name, ratio] : claim.by_scene) {
-    if (scene.starts_with(name + "/") || scene.starts_with(name + "@")) return ratio;
-  }
-  return claim.every_scene;
-}
-
 StudyFile read_study(const TomlNode& root) {
   TomlReader reader(root, "the study");
   const int64_t schema = reader.integer("schema");
@@ -264,10 +253,6 @@ StudyFile parse_study(std::string_view document, const std::string& file) {
 
 StudyFile load_study(const std::filesystem::path& path) {
   return read_study(parse_toml_file(path));
-}
-
-std::string_view to_text(Quantity quantity) {
-  return kQuantities[static_cast<size_t>(quantity)];
 }
 
 }  // namespace umbrameter

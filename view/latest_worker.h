@@ -4,8 +4,8 @@
 // is stale. The window never waits for it.
 
 #include "core/error.h"
+#include "core/guard.h"
 #include "core/progress.h"
-#include "results/guard.h"
 
 #include <atomic>
 #include <condition_variable>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Frames and truths as pictures of the window. The colours of error, faults and background are results/pictures.h's.
+// Frames and truths as pictures of the window. The colours of error, faults and background are results/pictures/pictures.h's.
 
 #include "core/image.h"
 #include "metrics/faults/faults.h"
-#include "results/pictures.h"
+#include "results/pictures/pictures.h"
 
 #include <array>
 #include <cstdint>

@@ -2,7 +2,7 @@
 #pragma once
 // A GLFW window with an OpenGL context of its own and Dear ImGui in it. It only shows pictures; techniques are drawn elsewhere.
 
-#include "results/pictures.h"
+#include "results/pictures/pictures.h"
 
 #include <cstdint>
 #include <memory>

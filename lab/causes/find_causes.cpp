@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "lab/causes/find_causes.h"
 
+#include "core/guard.h"
 #include "core/statistics.h"
-#include "results/guard.h"
 
 #include <cmath>
 

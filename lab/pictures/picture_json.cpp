@@ -2,12 +2,12 @@
 #include "lab/pictures/picture_json.h"
 
 #include "results/catalogue.h"
-#include "results/diagnosis_json.h"
-#include "results/json_optional.h"
-#include "results/json_parts.h"
-#include "results/judgement_json.h"
-#include "results/run_json.h"
-#include "results/similarity_json.h"
+#include "results/json/diagnosis_json.h"
+#include "results/json/json_optional.h"
+#include "results/json/json_parts.h"
+#include "results/json/judgement_json.h"
+#include "results/json/run_json.h"
+#include "results/json/similarity_json.h"
 
 namespace umbrameter {
 namespace {

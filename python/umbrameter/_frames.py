@@ -155,7 +155,7 @@ def _parameters_last(frame: "pandas.DataFrame") -> "pandas.DataFrame":
 
 
 def _add_store(file: pathlib.Path, tables: _Tables) -> None:
-    """Of entries that a person would call the same (study/grid/export.cpp) the one that was started last."""
+    """Of entries that a person would call the same (results/json/export.cpp) the one that was started last."""
     newest: Dict[Tuple[Any, ...], Tuple[str, Row]] = {}
     foreign = 0
     for kind, text in _entries(file):

@@ -171,7 +171,7 @@ def _time_bars(rows: "pandas.DataFrame") -> Tuple[npt.NDArray[Any], npt.NDArray[
 
 
 def _on_front(rows: "pandas.DataFrame", time_low: npt.NDArray[Any], time_high: npt.NDArray[Any]) -> npt.NDArray[Any]:
-    """The rule of `bench` (study/grid/pareto.h): dominated where another's intervals both lie below."""
+    """The rule of `bench` (results/bench/pareto.h): dominated where another's intervals both lie below."""
     low, high = rows["rmse_low"].to_numpy(dtype=float), rows["rmse_high"].to_numpy(dtype=float)
     return np.array([not np.any((high < low[i]) & (time_high < time_low[i])) for i in range(len(rows))])
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/grid/bench.h"
 
+#include "core/guard.h"
 #include "core/hash.h"
 #include "core/version.h"
 #include "lab/renamed_progress.h"
 #include "lab/score.h"
 #include "lab/technique_result.h"
 #include "metrics/image/shadow_quantity.h"
-#include "results/guard.h"
 #include "scenes/instances.h"
 #include "study/grid/bench_memory.h"
 #include "study/study_camera.h"
@@ -186,10 +186,19 @@ std::string full_name(const StudyScene& scene) {
   return full_name(scene.name, scene.camera);
 }
 
-bool is_software(const BenchResults& results) {
-  return std::ranges::any_of(results.scenes, [](const BenchScene& scene) {
-    return std::ranges::any_of(scene.entries, &BenchEntry::is_software);
-  });
+RecordHead make_head(const StudyScene& scene, PictureQuality picture, uint64_t seed) {
+  picture.seed = seed;
+  RecordHead head = make_head(scene.name, scene.scene, picture);
+  head.camera = scene.camera;
+  return head;
+}
+
+RunRecord make_record(const BenchRun& run, RecordHead head, const std::string& reference) {
+  RunRecord record;
+  record.head = std::move(head);
+  record.reference = reference;
+  record.result = describe(run.technique);
+  return record;
 }
 
 BenchResults run_bench(std::span<const StudyScene> scenes, const BenchPlan& plan, Renderers renderers,
@@ -207,39 +216,6 @@ BenchResults run_bench(std::span<const StudyScene> scenes, const BenchPlan& plan
     if (scene_done) scene_done(results.scenes.back());
   }
   return results;
-}
-
-std::vector<Failure> all_failures(const BenchResults& results) {
-  std::vector<Failure> failures;
-  for (const BenchScene& scene : results.scenes) {
-    if (scene.failure) failures.push_back({scene.failure->kind, scene.name + ": " + scene.failure->message});
-    for (const BenchEntry& entry : scene.entries) {
-      if (!entry.failure) continue;
-      failures.push_back(
-          {entry.failure->kind, scene.name + ", " + entry.label + ": " + entry.failure->message});
-    }
-  }
-  return failures;
-}
-
-std::vector<MeasuredScene> measured_scenes(const BenchResults& results) {
-  std::vector<MeasuredScene> scenes;
-  for (const BenchScene& scene : results.scenes) {
-    MeasuredScene measured;
-    measured.name = scene.name;
-    measured.scorable_pixels = scene.scorable_pixels;
-    measured.why_none = why_none(results.skipped, scene.name, scene.parity.has_value());
-    const bool is_void = scene.parity && !scene.parity->passes;
-    if (is_void) measured.why_none = "the renderers see other surfaces";
-    measured.is_told = scene.failure.has_value();
-    for (const BenchEntry& entry : scene.entries) {
-      const bool is_scored = !entry.failure && scene.parity && !is_void;
-      if (is_scored) measured.scored_pixels.emplace_back(entry.label, scene.scored_pixels);
-      measured.is_told = measured.is_told || entry.failure.has_value();
-    }
-    scenes.push_back(std::move(measured));
-  }
-  return scenes;
 }
 
 }  // namespace umbrameter

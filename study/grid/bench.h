@@ -6,10 +6,10 @@
 #include "lab/answers.h"
 #include "lab/keys.h"
 #include "lab/timing.h"
+#include "lab/truth_curve.h"
 #include "lab/validation.h"
-#include "results/measured.h"
-#include "study/grid/claims.h"
-#include "study/grid/truth_curve.h"
+#include "results/bench/bench_results.h"
+#include "results/json/record.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -20,24 +20,6 @@
 #include <vector>
 
 namespace umbrameter {
-
-struct BenchRun {
-  TechniqueRun technique;
-  uint64_t seed = 1;
-  std::optional<double> compares_per_pixel = {};  // as in RunCost
-};
-
-struct BenchPlan {
-  std::string title;
-  std::string doc;
-  std::string file;  // of the study
-  std::string quality;
-  /// Samples and target are those that the reference renderer was made with; recorded.
-  PictureQuality picture{.width_px = 480, .height_px = 270, .samples_per_pixel = 256};
-  TimingPlan timing;
-  std::vector<BenchRun> runs;
-  std::vector<Claim> claims;
-};
 
 /// Where a bench finds and leaves runs with their scores, as a sweep does, and the times of each scene's runs.
 struct BenchMemory {
@@ -55,41 +37,13 @@ struct StudyScene {
   std::string camera = {};  // of the study; empty: the scene's own
 };
 
+/// Of the scene from this camera, started now.
+RecordHead make_head(const StudyScene& scene, PictureQuality picture, uint64_t seed);
+/// Of the run, without results.
+RunRecord make_record(const BenchRun& run, RecordHead head, const std::string& reference);
+
 /// As in study/study_camera.h.
 std::string full_name(const StudyScene& scene);
-
-struct BenchScene {
-  std::string name;    // full_name() of the study's
-  std::string scene;   // as the study wrote it
-  std::string camera;  // of the study; empty: the scene's own
-  std::string title;
-  std::string hash;
-  std::string light;
-  uint64_t triangles = 0;
-  std::vector<std::string> warnings;
-  std::optional<Failure> failure;  // of the truth: times stand, errors do not
-  std::string reference_device;
-  std::optional<ParityNumbers> parity;
-  size_t scorable_pixels = 0,
-         scored_pixels = 0;  // that the truth can score, and of them those with one surface
-  std::vector<BenchEntry> entries;
-  std::vector<ClaimResult> claims;  // those that speak of this scene
-  std::optional<TruthCurve> truth;  // when it was asked for
-};
-
-struct BenchResults {
-  std::string version;
-  std::string commit;
-  BenchPlan plan;
-  std::vector<BenchScene> scenes;
-  std::vector<Skip> skipped;
-};
-
-/// What must stand beside every time of a software rasteriser.
-inline constexpr const char* kSoftwareNote = "software rasteriser: ratios are not a GPU's";
-
-/// True when any time was taken on a software rasteriser.
-bool is_software(const BenchResults& results);
 
 using BenchSceneDone = std::function<void(const BenchScene&)>;
 
@@ -99,11 +53,5 @@ using BenchSceneDone = std::function<void(const BenchScene&)>;
 BenchResults run_bench(std::span<const StudyScene> scenes, const BenchPlan& plan, Renderers renderers,
                        Progress& progress, const BenchSceneDone& scene_done = {}, const TruthPlan& truth = {},
                        BenchMemory* memory = nullptr);
-
-/// Every failure, as "scene: message" or "scene, run: message".
-std::vector<Failure> all_failures(const BenchResults& results);
-
-/// What was scored; parity that does not hold is told here.
-std::vector<MeasuredScene> measured_scenes(const BenchResults& results);
 
 }  // namespace umbrameter

@@ -3,11 +3,11 @@
 
 #include "core/clock.h"
 #include "core/hash.h"
+#include "lab/keep_score.h"
 #include "lab/technique_result.h"
 #include "lab/validated.h"
-#include "results/json_parts.h"
-#include "results/run_json.h"
-#include "study/grid/make_record.h"
+#include "results/json/json_parts.h"
+#include "results/json/run_json.h"
 
 #include <fmt/format.h>
 

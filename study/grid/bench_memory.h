@@ -4,7 +4,7 @@
 // which were taken in turn and are of use only together.
 
 #include "lab/score.h"
-#include "results/record.h"
+#include "results/json/record.h"
 #include "study/grid/bench.h"
 
 #include <optional>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/grid/plan.h"
 
+#include "lab/costs.h"
 #include "lab/validated.h"
-#include "results/record.h"
-#include "study/grid/costs.h"
+#include "results/json/record.h"
 
 #include <fmt/format.h>
 

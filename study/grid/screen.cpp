@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/grid/screen.h"
 
-#include "results/guard.h"
+#include "core/guard.h"
 
 #include <algorithm>
 #include <map>

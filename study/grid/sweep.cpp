@@ -2,16 +2,16 @@
 #include "study/grid/sweep.h"
 
 #include "core/clock.h"
+#include "core/guard.h"
+#include "core/share_progress.h"
+#include "lab/keep_score.h"
 #include "lab/score.h"
 #include "lab/stored_truth.h"
 #include "lab/technique_result.h"
 #include "lab/validated.h"
 #include "lab/verdicts.h"
-#include "results/guard.h"
 #include "results/measured.h"
 #include "results/metadata.h"
-#include "study/grid/make_record.h"
-#include "study/grid/share_progress.h"
 
 #include <fmt/format.h>
 

@@ -91,15 +91,6 @@ CaseVerdict judge_ratchet(const CaseNumbers& now, const CaseNumbers& before, con
 
 }  // namespace
 
-std::string_view name_of(CaseOutcome outcome) {
-  constexpr std::array<std::string_view, 4> kNames = {"pass", "better", "undecided", "fail"};
-  return kNames[static_cast<size_t>(outcome)];
-}
-
-CaseVerdict not_compared(const std::string& kind, const std::string& message) {
-  return {CaseOutcome::fail, kind, message, {}};
-}
-
 CaseVerdict judge_case(const CaseNumbers& now, const CaseNumbers& before, const RegressGates& gates) {
   const Change change = change_of(now, before, gates);
   const GateRun baseline = gate_run_of(before);

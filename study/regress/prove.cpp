@@ -2,6 +2,7 @@
 #include "study/regress/prove.h"
 
 #include "results/metadata.h"
+#include "results/regress/update.h"
 
 #include <algorithm>
 #include <map>
@@ -124,12 +125,8 @@ ProvedFault proved(const FaultCase& fault, Proof& proof) {
 
 }  // namespace
 
-bool ProvedFault::is_named() const {
-  return std::ranges::any_of(right, [&](GateClass kind) { return name_of(kind) == found.verdict.kind; });
-}
-
 std::vector<ProvedFault> prove_faults(std::span<const FaultCase> faults, std::span<const SceneJob> jobs,
-                                      const SelftestSettings& settings, SelftestRenderers renderers,
+                                      const SelftestSettings& settings, PictureRenderers renderers,
                                       int samples_per_pixel, const RegressGates& gates, Progress& progress) {
   std::vector<ProvedFault> all;
   SilentProgress silent;

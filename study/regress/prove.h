@@ -12,19 +12,11 @@
 
 namespace umbrameter {
 
-struct ProvedFault {
-  std::string name, scene;
-  std::vector<GateClass> right;
-  RegressCase found;
-  bool is_found() const { return found.verdict.outcome == CaseOutcome::fail; }
-  bool is_named() const;
-};
-
 /// Those of `faults` whose scene is among `jobs`. Its technique without the fault is recorded, the text read back, and the fault
 /// checked against it as a suite is: with more samples and seeds until a failure stands. Where the fault is painted into the
 /// exact picture, that is recorded. `samples_per_pixel`: of one render of `renderers.reference`; a check may have twice.
 std::vector<ProvedFault> prove_faults(std::span<const FaultCase> faults, std::span<const SceneJob> jobs,
-                                      const SelftestSettings& settings, SelftestRenderers renderers,
+                                      const SelftestSettings& settings, PictureRenderers renderers,
                                       int samples_per_pixel, const RegressGates& gates, Progress& progress);
 
 }  // namespace umbrameter

@@ -2,7 +2,7 @@
 #include "study/regress/run.h"
 
 #include "lab/renamed_progress.h"
-#include "study/regress/parameter_changes.h"
+#include "results/regress/parameter_changes.h"
 #include "study/regress/scene_work.h"
 
 #include <fmt/format.h>
@@ -173,16 +173,6 @@ void for_each_scene(std::span<const SceneJob> scenes, const RegressPlan& plan,
 }
 
 }  // namespace
-
-bool RegressCase::has_changed() const {
-  const bool is_fine = verdict.outcome == CaseOutcome::pass || verdict.outcome == CaseOutcome::undecided;
-  return !is_fine || (before && now && before->parameters != now->parameters);
-}
-
-size_t RegressResults::count(CaseOutcome outcome) const {
-  return static_cast<size_t>(
-      std::ranges::count_if(cases, [&](const RegressCase& one) { return one.verdict.outcome == outcome; }));
-}
 
 RegressResults check_suite(std::span<const SceneJob> scenes, const RegressPlan& plan,
                            const Baseline& baseline, const RegressRenderers& renderers, Progress& progress) {

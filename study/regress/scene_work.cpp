@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/regress/scene_work.h"
 
+#include "core/guard.h"
 #include "core/hash.h"
+#include "lab/examine.h"
 #include "lab/timing.h"
 #include "metrics/statistics/frame_times.h"
-#include "results/guard.h"
+#include "metrics/statistics/seed_noise.h"
 #include "results/metadata.h"
+#include "results/regress/case_json.h"
 #include "store/code_hashes.h"
-#include "study/regress/case_answer.h"
-#include "study/regress/seed_noise.h"
-#include "study/stage.h"
 
 #include <nlohmann/json.hpp>
 

@@ -56,12 +56,6 @@ struct RunWork {
 /// `skipped`.
 std::vector<RunWork> choose_runs(const SceneWork& work, std::vector<Skip>& skipped);
 
-/// What the gate calls void, or the numbers of all pictures against this truth.
-struct Measured {
-  std::optional<CaseVerdict> voided;
-  std::optional<CaseNumbers> numbers;
-};
-
 /// `seed_sd` is what the baseline says of one picture; the mean's is less. Absent: it is measured from the run's pictures.
 Measured measure(const SceneWork& work, RunWork& run, Truth& truth, std::optional<double> seed_sd);
 

@@ -3,7 +3,7 @@
 
 #include "core/files.h"
 #include "core/names.h"
-#include "study/regress/case_numbers.h"
+#include "results/regress/case_numbers.h"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 // What a regression suite's file says (docs/regress.md): scenes and runs as a study says them, and the gates they must
 // keep. Not here: whether scenes and techniques exist (cli/).
 
-#include "study/gate.h"
+#include "metrics/gate.h"
 #include "study/study_file.h"
 
 #include <cstdint>
@@ -18,7 +18,7 @@ namespace umbrameter {
 struct RegressGates {
   GateLimits worse_by;  // than the baseline, by kind of fault
   std::map<std::string, double>
-      at_most;  // by measure (study/regress/case_numbers.h), whatever the baseline says
+      at_most;  // by measure (results/regress/case_numbers.h), whatever the baseline says
   bool ratchet = true;
   double same_share = 0.05;          // ratchet: mean squared errors this close are the same
   double same_rmse = 1e-3;           // likewise; what rounding on another device may change

@@ -59,10 +59,6 @@ Image draw(WrongRun& wrong, const Replacement& replacement, const Light& light, 
 
 }  // namespace
 
-bool CauseOutcome::is_right() const {
-  return cause && std::ranges::find(right, *cause) != right.end();
-}
-
 std::vector<FaultClass> put_in(std::vector<FaultClass> classes, FaultClass fault, const Image& wrong,
                                const Image& sound, const Image& truth) {
   const FaultClass other = fault == FaultClass::explained ? FaultClass::penumbra : FaultClass::explained;
@@ -109,14 +105,6 @@ CauseOutcome try_cause(const CauseCase& fault, Stage& stage) {
   if (const SubstitutionOutcome* cause = cause_of(causes, 0)) out.cause = find_substitution(cause->id)->part;
   out.tried = causes.outcomes;
   return out;
-}
-
-std::string text_of(const CauseOutcome& outcome) {
-  const std::string head = fmt::format("{} of {}: ", outcome.name, outcome.scene);
-  if (!outcome.fault) return head + "no fault grew";
-  const Substitution* best = find_substitution(outcome.best);
-  return head + fmt::format("{}, {} removes {:.0f} %", format_fault(*outcome.fault),
-                            best == nullptr ? "nothing" : best->label, 100.0 * outcome.removed);
 }
 
 }  // namespace umbrameter

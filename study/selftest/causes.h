@@ -24,27 +24,11 @@ struct CauseCase {
 
 std::vector<CauseCase> cause_list();
 
-struct CauseOutcome {
-  std::string name, scene;
-  std::vector<RunPart> right;
-  std::optional<FaultClass>
-      fault;  // the class whose error grew most against the sound picture; absent: none did
-  std::vector<SubstitutionOutcome> tried;  // with one number each: of `fault`
-  std::string best;                        // substitution that removes most of it; empty without any
-  double removed = 0.0;                    // by that
-  double undone = 0.0;           // by the sound run itself: no substitution of the right part can do more
-  std::optional<RunPart> cause;  // what it replaced, where it mends the fault
-  bool is_right() const;
-};
-
 /// `classes` [height][width] of the wrong run, with `fault` only where more than half of its error was put in: what the sound run
 /// has wrong as well is its own, and other things mend it.
 std::vector<FaultClass> put_in(std::vector<FaultClass> classes, FaultClass fault, const Image& wrong,
                                const Image& sound, const Image& truth);
 
 CauseOutcome try_cause(const CauseCase& fault, Stage& stage);
-
-/// "bias x 0 of colonnade: acne, ten times the bias removes 97 %".
-std::string text_of(const CauseOutcome& outcome);
 
 }  // namespace umbrameter

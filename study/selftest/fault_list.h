@@ -19,7 +19,7 @@ struct BenignVariant {
   std::string name;
   MakeTrial make;
   bool moves_texels =
-      false;  // benign only where the baseline's map resolves the true edges (study/resolved.h)
+      false;  // benign only where the baseline's map resolves the true edges (metrics/faults/resolved.h)
 };
 
 std::vector<FaultCase> fault_list();

@@ -1,27 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// What a self-test has tried, in a store (lab/answers.h): one that was killed goes on from there. What reads throws
-// nlohmann::json::exception for another version's.
+// What a self-test has tried, in a store (lab/answers.h): one that was killed goes on from there.
 
 #include "lab/answers.h"
-#include "study/selftest/selftest.h"
-
-#include <nlohmann/json.hpp>
+#include "results/selftest/trial_json.h"
+#include "study/stage.h"
 
 #include <string>
 
 namespace umbrameter {
-
-nlohmann::ordered_json trial_json(const GateVerdict& verdict);
-nlohmann::ordered_json trial_json(const Unresolved& unresolved);
-nlohmann::ordered_json trial_json(const std::optional<MaskOutcome>& outcome);
-nlohmann::ordered_json trial_json(const CauseOutcome& outcome);
-nlohmann::ordered_json trial_json(const HardeningOutcome& outcome);
-void read_trial(const nlohmann::json& json, GateVerdict& verdict);
-void read_trial(const nlohmann::json& json, Unresolved& unresolved);
-void read_trial(const nlohmann::json& json, std::optional<MaskOutcome>& outcome);
-void read_trial(const nlohmann::json& json, CauseOutcome& outcome);
-void read_trial(const nlohmann::json& json, HardeningOutcome& outcome);
 
 /// Of the trial `name` of a `kind` ("fault") on the stage.
 std::string trial_key(const Stage& stage, const std::string& kind, const std::string& name);

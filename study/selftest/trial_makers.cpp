@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/selftest/trial_makers.h"
 
-#include "results/guard.h"
+#include "core/guard.h"
 
 #include <utility>
 

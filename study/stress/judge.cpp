@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/stress/judge.h"
 
+#include "core/guard.h"
 #include "lab/score.h"
-#include "results/guard.h"
 
 #include <algorithm>
 

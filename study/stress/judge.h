@@ -2,8 +2,8 @@
 #pragma once
 // The one rule by which a value of an axis breaks a technique.
 
-#include "study/gate.h"
-#include "study/stress/outcome.h"
+#include "metrics/gate.h"
+#include "results/stress/outcome.h"
 
 #include <span>
 

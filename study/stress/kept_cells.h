@@ -4,8 +4,8 @@
 
 #include "lab/answers.h"
 #include "lab/keys.h"
+#include "results/stress/outcome.h"
 #include "study/stress/axis.h"
-#include "study/stress/outcome.h"
 
 #include <string>
 #include <vector>

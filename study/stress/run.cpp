@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/stress/run.h"
 
-#include "results/guard.h"
-#include "results/pictures.h"
+#include "core/guard.h"
+#include "results/pictures/pictures.h"
 #include "study/stress/judge.h"
 #include "study/stress/stress_scene.h"
 

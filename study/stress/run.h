@@ -4,8 +4,8 @@
 // (cli/stress_worker.h) and what the cells say together (study/stress/summary.h).
 
 #include "results/picture_quality.h"
+#include "results/stress/journal.h"
 #include "study/stress/axis.h"
-#include "study/stress/journal.h"
 #include "study/stress/tools.h"
 
 #include <filesystem>

@@ -2,8 +2,8 @@
 #include "study/stress/stress_scene.h"
 
 #include "core/files.h"
+#include "core/guard.h"
 #include "metrics/error/truth_check.h"
-#include "results/guard.h"
 #include "scenes/load_scene.h"
 
 #include <fmt/format.h>

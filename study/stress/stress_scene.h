@@ -2,7 +2,7 @@
 #pragma once
 // The scene at a value of an axis, with its truth and what the truth itself is worth.
 
-#include "study/stress/outcome.h"
+#include "results/stress/outcome.h"
 #include "study/stress/tools.h"
 
 #include <filesystem>

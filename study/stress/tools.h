@@ -2,9 +2,9 @@
 #pragma once
 // What a stress run gets from the composition root.
 
+#include "lab/truth_oracle.h"
 #include "lab/validation.h"
 #include "study/stress/axis.h"
-#include "study/stress/truth_check.h"
 
 #include <functional>
 #include <string>

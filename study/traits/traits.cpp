@@ -3,7 +3,7 @@
 
 #include "core/hash.h"
 #include "lab/score.h"
-#include "results/json_optional.h"
+#include "results/json/json_optional.h"
 #include "store/code_hashes.h"
 
 #include <fmt/format.h>

@@ -2,9 +2,9 @@
 #include "study/tune/after_search.h"
 
 #include "core/error.h"
+#include "core/guard.h"
 #include "core/statistics.h"
 #include "metrics/statistics/bootstrap.h"
-#include "results/guard.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +39,7 @@ std::optional<double> rise(Judge& judge, ParameterValues values, const std::stri
 }
 
 /// At the best of the other choices.
-std::optional<double> rise_elsewhere(Judge& judge, const Trial& best, const Parameter& axis) {
+std::optional<double> rise_elsewhere(Judge& judge, const TuneTrial& best, const Parameter& axis) {
   std::optional<double> least;
   const int count = level_count(axis);
   for (int i = 0; i < count; ++i) {
@@ -89,7 +89,7 @@ std::vector<Sensitivity> measure_sensitivities(Judge& judge, const SearchSpace& 
                                                const IsActive& is_active, const SearchResult& search,
                                                const GoesOn& goes_on) {
   std::vector<Sensitivity> all;
-  const Trial& best = search.best;
+  const TuneTrial& best = search.best;
   for (size_t i = 0; i < space.size() && goes_on(); ++i) {
     const Parameter& axis = space[i];
     if (is_active && !is_active(axis, best.values)) continue;

@@ -2,9 +2,9 @@
 #include "study/tune/judge.h"
 
 #include "core/error.h"
+#include "core/guard.h"
 #include "metrics/error/verdict.h"
 #include "metrics/image/parity.h"
-#include "results/guard.h"
 
 #include <algorithm>
 #include <array>

@@ -9,8 +9,6 @@ namespace {
 
 constexpr int kSteps = 7;
 constexpr int kBisections = 4;
-constexpr double kShare = 1e-3;    // of scored pixels
-constexpr double kOctaves = 0.25;  // of a penumbra's width
 
 /// Beyond such a value everything is too high, whatever else it looks like.
 bool is_only_too_high(const WindowPoint& point, double tolerance) {
@@ -114,20 +112,6 @@ std::optional<WindowKind> window_of(const Parameter& parameter) {
   const bool is_of_engine = parameter.stage == ParameterStage::host;
   return parameter.group == "bias" && (is_length || is_of_engine) ? std::optional(WindowKind::bias)
                                                                   : std::nullopt;
-}
-
-double tolerance_of(WindowKind kind) {
-  return kind == WindowKind::bias ? kShare : kOctaves;
-}
-
-std::optional<double> in_texels(const std::string& unit, double length, double texel_world) {
-  if (unit == "texels") return length;
-  return unit == "world" && texel_world > 0.0 ? std::optional(length / texel_world) : std::nullopt;
-}
-
-std::optional<double> in_world_units(const std::string& unit, double length, double texel_world) {
-  if (unit == "world") return length;
-  return unit == "texels" && texel_world > 0.0 ? std::optional(length * texel_world) : std::nullopt;
 }
 
 SafeWindow find_window(const Parameter& axis, const MeasureWindow& measure,

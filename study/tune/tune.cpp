@@ -3,7 +3,7 @@
 
 #include "core/clock.h"
 #include "core/error.h"
-#include "results/guard.h"
+#include "core/guard.h"
 #include "study/tune/after_search.h"
 #include "study/tune/candidates.h"
 #include "study/tune/settle.h"
@@ -30,6 +30,11 @@ size_t default_evaluations(size_t axes) {
   return 25 + 5 * axes;
 }
 
+TuneHead head_of(const TunePlan& plan) {
+  return {plan.technique.id, plan.technique.hash, plan.is_engine,      plan.parameters,
+          plan.objective,    plan.full.width_px,  plan.full.height_px, plan.seed};
+}
+
 class Tuning {
  public:
   Tuning(std::span<SceneJob> scenes, const TunePlan& plan, Renderer& realtime, Progress& progress)
@@ -43,6 +48,7 @@ class Tuning {
 
   /// Windows first, then the optimum, then what it competes with: whatever the time, what is asked most is there.
   TuneResult run() {
+    result_.head = head_of(plan_);
     result_.notes = plan_.notes;
     Judge judge(studio_, searched_views(plan_.full), plan_.objective, base());
     start_search_ = Clock::now();

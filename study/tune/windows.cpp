@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/tune/windows.h"
 
+#include "core/guard.h"
 #include "core/statistics.h"
-#include "results/guard.h"
 
 #include <fmt/format.h>
 

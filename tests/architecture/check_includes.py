@@ -20,7 +20,7 @@ ARROWS = {
     "results": GROUND | {"metrics"},
     "lab": GROUND | {"metrics", "store", "results"},
     "study": GROUND | {"metrics", "store", "results", "lab"},
-    "report": {"core", "metrics", "store", "results", "study"},
+    "report": {"core", "metrics", "store", "results", "lab", "study"},
     "view": GROUND | {"metrics", "reference", "realtime", "results", "lab"},
     "cli": GROUND | TRUTHS | {"store", "results", "lab", "study", "report", "view"},
     "python": GROUND | TRUTHS | {"store", "results", "lab"},

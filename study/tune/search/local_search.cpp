@@ -21,7 +21,7 @@ struct Subspace {
 };
 
 Subspace subspace_of(Trials& trials, std::span<const size_t> axes, size_t evaluations) {
-  const Trial& best = trials.best();
+  const TuneTrial& best = trials.best();
   return {trials, axes, best.point, trials.all().size() + std::min(evaluations, trials.left()),
           kImpossibleFactor * std::abs(best.objective) + 1.0};
 }
@@ -87,7 +87,7 @@ void search_robustly(Trials& trials, std::span<const size_t> axes, double first_
 
 void search_line(Trials& trials, size_t axis, double step) {
   for (int move = 0; move < kMaxLineMoves && !trials.is_over(); ++move) {
-    const Trial start = trials.best();
+    const TuneTrial start = trials.best();
     const double middle = start.point[axis];
     const double left = along(trials, start.point, axis, middle - step);
     const double right = along(trials, start.point, axis, middle + step);

@@ -42,7 +42,7 @@ std::vector<double> first_positions(const Parameter& axis) {
 void screen(Trials& trials, size_t axis, const std::vector<double>& positions, AxisEffect& effect) {
   effect.is_active = trials.is_active(axis);
   if (!effect.is_active) return;
-  const Trial start = trials.best();
+  const TuneTrial start = trials.best();
   double low = start.objective, high = start.objective;
   std::set<ParameterValue> measured{value_at(trials.space()[axis], start.point[axis])};
   for (const double position : positions) {
@@ -86,7 +86,7 @@ void search_choices(Trials& trials, const std::vector<size_t>& numbers) {
   const std::vector<size_t> moving = numbers_to_move(space, numbers);
   for (size_t axis = 0; axis < space.size(); ++axis) {
     if (is_ordered(space[axis])) continue;
-    const Trial start = trials.best();
+    const TuneTrial start = trials.best();
     for (const double position : coarse_positions(space[axis])) {
       Point point = start.point;
       point[axis] = position;

@@ -19,8 +19,8 @@ struct AxisEffect {
 };
 
 struct SearchResult {
-  std::vector<Trial> trials;  // in the order they were evaluated
-  Trial best;
+  std::vector<TuneTrial> trials;  // in the order they were evaluated
+  TuneTrial best;
   std::vector<AxisEffect> effects;  // in the order of the axes
   bool is_converged = false;        // else the budget ended it
 };

@@ -33,13 +33,13 @@ std::string key_of(const ParameterValues& values) {
   return key;
 }
 
-std::vector<ParameterValues> best_values(const std::vector<Trial>& trials, size_t count) {
-  std::vector<const Trial*> order;
-  for (const Trial& trial : trials) order.push_back(&trial);
-  std::ranges::stable_sort(order, {}, &Trial::objective);
+std::vector<ParameterValues> best_values(const std::vector<TuneTrial>& trials, size_t count) {
+  std::vector<const TuneTrial*> order;
+  for (const TuneTrial& trial : trials) order.push_back(&trial);
+  std::ranges::stable_sort(order, {}, &TuneTrial::objective);
   order.resize(std::min(order.size(), count));
   std::vector<ParameterValues> values;
-  for (const Trial* trial : order) values.push_back(trial->values);
+  for (const TuneTrial* trial : order) values.push_back(trial->values);
   return values;
 }
 

@@ -2,12 +2,12 @@
 #pragma once
 // What a search has tried: every point once, within a budget. Not here: where it looks next (study/tune/search/minimise.h).
 
+#include "results/tune/tuning.h"
 #include "study/tune/search/search_space.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <functional>
-#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -16,12 +16,6 @@ namespace umbrameter {
 
 /// The number to make small; infinite where there is none (the values are not allowed, or the run failed).
 using ObjectiveFunction = std::function<double(const ParameterValues&)>;
-
-struct Trial {
-  ParameterValues values;
-  Point point;
-  double objective = std::numeric_limits<double>::infinity();
-};
 
 struct SearchBudget {
   size_t evaluations = 0;
@@ -40,9 +34,9 @@ class Trials {
 
   bool is_over() const;
   size_t left() const { return budget_.evaluations - std::min(budget_.evaluations, all_.size()); }
-  const std::vector<Trial>& all() const { return all_; }  // in the order they were evaluated
+  const std::vector<TuneTrial>& all() const { return all_; }  // in the order they were evaluated
   /// The least objective so far; the first trial while none is finite. Needs one trial.
-  const Trial& best() const { return all_[best_]; }
+  const TuneTrial& best() const { return all_[best_]; }
   const SearchSpace& space() const { return space_; }
   /// Whether the axis acts beside the values of the best trial.
   bool is_active(size_t axis) const;
@@ -53,7 +47,7 @@ class Trials {
   const ObjectiveFunction& objective_;
   const SearchBudget& budget_;
   IsActive is_active_;
-  std::vector<Trial> all_;
+  std::vector<TuneTrial> all_;
   std::map<std::string, size_t> known_;
   size_t best_ = 0;
 };
@@ -62,6 +56,6 @@ class Trials {
 std::string key_of(const ParameterValues& values);
 
 /// Values of the `count` trials of least objective, or of all; of equal ones the first tried.
-std::vector<ParameterValues> best_values(const std::vector<Trial>& trials, size_t count);
+std::vector<ParameterValues> best_values(const std::vector<TuneTrial>& trials, size_t count);
 
 }  // namespace umbrameter

@@ -6,7 +6,7 @@
 #include "lab/causes/find_causes.h"
 #include "lab/causes/light_parts.h"
 #include "results/causes_format.h"
-#include "results/causes_json.h"
+#include "results/json/causes_json.h"
 
 #include "core/error.h"
 

@@ -8,9 +8,9 @@
 
 #include "core/error.h"
 #include "lab/score.h"
+#include "results/json/results_json.h"
 #include "results/judgement_format.h"
 #include "results/metric_choice.h"
-#include "results/results_json.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // Without these a sequence could leave the results.
 #include "lab/temporal.h"
 
-#include "results/results_json.h"
+#include "results/json/results_json.h"
 #include "tests/support/lab/fakes.h"
 #include "tests/support/temporary_folder.h"
 

@@ -4,7 +4,7 @@
 
 #include "lab/validation_memory.h"
 #include "core/error.h"
-#include "results/results_json.h"
+#include "results/json/results_json.h"
 #include "tests/support/lab/fakes.h"
 #include "tests/support/temporary_folder.h"
 

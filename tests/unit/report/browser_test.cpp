@@ -8,7 +8,7 @@
 
 #include "core/files.h"
 #include "report/report.h"
-#include "results/results_json.h"
+#include "results/json/results_json.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

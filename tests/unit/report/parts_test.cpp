@@ -13,8 +13,8 @@
 #include "report/required_fields.h"
 #include "report/side_data.h"
 #include "report/stress_output.h"
-#include "results/results_json.h"
-#include "study/grid/bench_json.h"
+#include "results/bench/bench_json.h"
+#include "results/json/results_json.h"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>

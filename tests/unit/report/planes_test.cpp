@@ -12,9 +12,9 @@
 #include "report/plane_code.h"
 #include "report/report.h"
 #include "report/tune_files.h"
-#include "results/picture_classes.h"
-#include "results/pictures.h"
-#include "results/results_json.h"
+#include "results/json/results_json.h"
+#include "results/pictures/picture_classes.h"
+#include "results/pictures/pictures.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

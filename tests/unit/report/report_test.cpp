@@ -11,8 +11,8 @@
 #include "core/files.h"
 #include "report/assets.h"
 #include "report/html.h"
-#include "results/pictures.h"
-#include "results/results_json.h"
+#include "results/json/results_json.h"
+#include "results/pictures/pictures.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -6,7 +6,7 @@
 
 #include "core/files.h"
 #include "report/report.h"
-#include "results/results_json.h"
+#include "results/json/results_json.h"
 #include "tests/support/source_dir.h"
 
 namespace umbrameter {

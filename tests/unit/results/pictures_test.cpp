@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Without these tests a map could lie about its scale.
 
-#include "results/pictures.h"
+#include "results/pictures/pictures.h"
 
 #include "tests/support/lab/fakes.h"
 

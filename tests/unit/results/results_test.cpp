@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Without these tests a number could be lost or changed on its way through results.json.
 
-#include "results/results_json.h"
+#include "results/json/results_json.h"
 
 #include "tests/support/lab/fakes.h"
 #include "tests/support/temporary_folder.h"

@@ -3,8 +3,8 @@
 
 #include "metrics/error/lit_similarity.h"
 
+#include "results/json/similarity_json.h"
 #include "results/similarity_format.h"
-#include "results/similarity_json.h"
 #include "tests/unit/metrics/synthetic.h"
 
 #include "core/error.h"

@@ -5,7 +5,7 @@
 #include "study/grid/bench.h"
 
 #include "core/error.h"
-#include "study/grid/bench_json.h"
+#include "results/bench/bench_json.h"
 #include "tests/support/lab/fakes.h"
 
 #include <gmock/gmock.h>

@@ -2,10 +2,10 @@
 // Without these, a regression could forget numbers on their way through its file, fail without a reason, or pass with one.
 
 #include "core/error.h"
+#include "metrics/statistics/seed_noise.h"
 #include "report/regress_output.h"
-#include "study/regress/parameter_changes.h"
+#include "results/regress/parameter_changes.h"
 #include "study/regress/run.h"
-#include "study/regress/seed_noise.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 

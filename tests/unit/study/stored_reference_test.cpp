@@ -5,11 +5,11 @@
 #include "lab/stored_reference.h"
 
 #include "core/files.h"
+#include "results/bench/bench_json.h"
+#include "results/tune/tune_json.h"
 #include "scenes/scene_hash.h"
-#include "study/grid/bench_json.h"
 #include "study/grid/sweep.h"
 #include "study/tune/tune.h"
-#include "study/tune/tune_json.h"
 #include "tests/support/lab/fakes.h"
 #include "tests/support/temporary_folder.h"
 
@@ -210,7 +210,7 @@ TEST_F(StoredTruths, ATunerHasTheSameNumbersFromThem) {
     plan.coarse = Fidelity{kFakeWidth_px / 2, kFakeHeight_px / 2, &reference};
     TuneResult result = run_tune(jobs, plan, realtime, progress_);
     result.wall_time_s = 0.0;
-    return to_json_text(plan, result);
+    return to_json_text(result);
   };
   const std::string without = tune(tracer_);
   const size_t wanted = rendered();

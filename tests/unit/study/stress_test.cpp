@@ -2,8 +2,8 @@
 // Without these a stress run could call noise a break, name the wrong value, or lose what happened before a crash.
 
 #include "report/stress_output.h"
+#include "results/stress/journal.h"
 #include "study/stress/axes.h"
-#include "study/stress/journal.h"
 #include "study/stress/judge.h"
 #include "study/stress/kept_cells.h"
 #include "study/stress/suite_file.h"

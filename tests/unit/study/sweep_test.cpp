@@ -6,11 +6,12 @@
 
 #include "core/files.h"
 #include "lab/keys.h"
+#include "lab/merge.h"
+#include "lab/stored_results.h"
+#include "lab/stored_runs.h"
 #include "lab/verdicts.h"
 #include "report/report.h"
-#include "study/grid/export.h"
-#include "study/grid/merge.h"
-#include "study/grid/stored_results.h"
+#include "results/json/export.h"
 #include "study/grid/sweep.h"
 
 #include <gmock/gmock.h>

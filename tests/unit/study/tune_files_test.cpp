@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Without these, a tuner could write down other numbers than it measured.
 
-#include "study/tune/tune_files.h"
+#include "results/tune/tune_files.h"
 #include "core/files.h"
 #include "report/report.h"
+#include "results/tune/tune_json.h"
 #include "study/tune/lengths.h"
-#include "study/tune/tune_json.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/study/tune_fixture.h"
 
@@ -21,11 +21,11 @@ using Json = nlohmann::json;
 TEST_F(Tune, FilesHoldWhatWasMeasured) {
   const TuneResult result = run();
   const std::string bias = to_text(result.best.values.at("bias_texels"));
-  EXPECT_THAT(preset_toml(plan, result), HasSubstr("technique = \"fake\""));
-  EXPECT_THAT(preset_toml(plan, result), HasSubstr("bias_texels = " + bias + "\n"));
-  EXPECT_THAT(engine_block(plan, result), HasSubstr("bias_texels = " + bias + "  // "));
-  EXPECT_THAT(engine_block(plan, result), HasSubstr("world units at 0.25 a texel"));
-  const Json json = Json::parse(to_json_text(plan, result));
+  EXPECT_THAT(preset_toml(result), HasSubstr("technique = \"fake\""));
+  EXPECT_THAT(preset_toml(result), HasSubstr("bias_texels = " + bias + "\n"));
+  EXPECT_THAT(engine_block(result), HasSubstr("bias_texels = " + bias + "  // "));
+  EXPECT_THAT(engine_block(result), HasSubstr("world units at 0.25 a texel"));
+  const Json json = Json::parse(to_json_text(result));
   EXPECT_EQ(json["best"]["parameters"]["bias_texels"],
             std::get<double>(result.best.values.at("bias_texels")));
   const Json& sweep = json["bias_sweep"][0];
@@ -41,16 +41,17 @@ TEST_F(Tune, TheEngineBlockNamesWhatEnginesLack) {
   plane.default_value = std::string("none");
   plan.parameters.push_back(plane);
   TuneResult result;
+  result.head.parameters = plan.parameters;
   result.tuned = {"bias_texels", "receiver_plane"};
   result.texel_world = 0.25;
   result.best.values = {{"bias_texels", 2.0}, {"receiver_plane", std::string("texel_center")}};
   const std::string lacking = "// No engine's light settings have these";
-  EXPECT_THAT(engine_block(plan, result),
+  EXPECT_THAT(engine_block(result),
               testing::AllOf(
                   HasSubstr("bias_texels = 2  // 0.5 world units at 0.25 a texel\n//   Unity URP Depth Bias"),
                   testing::ContainsRegex(lacking + ".*\nreceiver_plane = texel_center")));
   result.best.values["receiver_plane"] = std::string("none");
-  EXPECT_THAT(engine_block(plan, result), testing::Not(HasSubstr(lacking)));
+  EXPECT_THAT(engine_block(result), testing::Not(HasSubstr(lacking)));
 }
 
 // Neither in texels nor in world units.
@@ -63,7 +64,7 @@ TEST_F(Tune, ThePageTellsABiasInAnEnginesOwnUnit) {
   window.to = 0.25;
   window.is_complete = true;
   const TemporaryFolder folder;
-  write_file_atomically(folder.path() / "tune.json", to_json_text(plan, result));
+  write_file_atomically(folder.path() / "tune.json", to_json_text(result));
   write_report(folder.path(), folder.path() / "report.html");
   EXPECT_THAT(read_file(folder.path() / "report.html"),
               HasSubstr(R"("window":{"empty":false,"low":0.125,"high":0.25})"));

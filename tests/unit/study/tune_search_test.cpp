@@ -158,7 +158,7 @@ TEST(Minimise, PaysOncePerPointAndNeverMoreThanItsBudget) {
   EXPECT_EQ(asked.size(), found.trials.size());
   EXPECT_LE(asked.size(), 40u);
   EXPECT_EQ(std::set<std::string>(asked.begin(), asked.end()).size(), asked.size());
-  const auto least = std::ranges::min_element(found.trials, {}, &Trial::objective);
+  const auto least = std::ranges::min_element(found.trials, {}, &TuneTrial::objective);
   EXPECT_EQ(found.best.objective, least->objective);
 }
 
@@ -227,7 +227,7 @@ TEST(Minimise, WhatDoesNotActIsNeverMoved) {
   };
   const SearchResult physical = with_curve_worth(1.0);
   EXPECT_FALSE(physical.effects[1].is_active);
-  for (const Trial& trial : physical.trials) {
+  for (const TuneTrial& trial : physical.trials) {
     const bool is_physical = trial.values.at("curve") == ParameterValue(std::string("physical"));
     EXPECT_TRUE(!is_physical || number(trial.values, "radius") == 1.0);
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Without these, a tuner could promise a window that is not there, or deny one that is.
 
-#include "study/tune/draw_and_score.h"
+#include "lab/draw_and_score.h"
 #include "tests/unit/study/tune_fixture.h"
 
 #include <gmock/gmock.h>
