@@ -6,7 +6,7 @@
 #include "cli/scene_options.h"
 #include "cli/staging.h"
 #include "cli/study_runs.h"
-#include "cli/truth_memory.h"
+#include "cli/verb_cache.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "reference/reference.h"
@@ -100,18 +100,18 @@ TruthPlan make_truth_plan(int threads) {
 }
 
 BenchResults run(const BenchPlan& plan, std::span<const StudyScene> scenes, Renderer& realtime,
-                 TruthMemory& memory, BenchMemory* kept, const TruthPlan& truth, ProgressBar& progress) {
+                 VerbCache& cache, BenchCache* kept, const TruthPlan& truth, ProgressBar& progress) {
   ReusedTruths all;
   std::vector<Skip> skipped;
   const auto scene_done = [&](const BenchScene& scene) {
     progress.clear();
-    print_warnings(memory.take_warnings());
+    print_warnings(cache.take_warnings());
     print_note(scene_line(scene));
-    const ReusedTruths reused = memory.take_reused();
+    const ReusedTruths reused = cache.take_reused();
     if (reused.count > 0) skipped.push_back({scene.name, "", "its truth is stored", reused.saved_s});
     all += reused;
   };
-  BenchResults results = run_bench(scenes, plan, {memory.reference(plan.picture), memory.frames(realtime)},
+  BenchResults results = run_bench(scenes, plan, {cache.reference(plan.picture), cache.frames(realtime)},
                                    progress, scene_done, truth, kept);
   results.skipped.insert(results.skipped.end(), skipped.begin(), skipped.end());
   if (all.count > 0) print_note(reused_line(all));
@@ -162,18 +162,18 @@ int bench(const BenchOptions& options, const GlobalOptions& global) {
   for (const std::string& file : options.studies)
     studies.push_back(load(file, options, home, search, progress));
   require_one_table(options, studies);
-  TruthMemory memory(global, global.out, !options.no_reuse);
+  VerbCache cache(global, global.out, !options.no_reuse);
   const auto realtime = open_realtime_renderer(global, home);
-  std::optional<BenchMemory> kept;
-  if (memory.store() != nullptr)
-    kept.emplace(BenchMemory{*memory.store(), memory.answers(), memory.makers(*realtime), !options.no_reuse,
-                             memory.scratch()});
+  std::optional<BenchCache> kept;
+  if (cache.store() != nullptr)
+    kept.emplace(BenchCache{*cache.store(), cache.answers(), cache.makers(*realtime), !options.no_reuse,
+                            cache.scratch()});
   const TruthPlan truth = truth_file ? make_truth_plan(global.threads) : TruthPlan{};
   std::vector<BenchResults> all;
   int code = kExitFine;
   for (LoadedStudy& study : studies) {
     for (const BenchPlan& plan : study.plans) {
-      all.push_back(run(plan, study.scenes, *realtime, memory, kept ? &*kept : nullptr, truth, progress));
+      all.push_back(run(plan, study.scenes, *realtime, cache, kept ? &*kept : nullptr, truth, progress));
       if (!global.json) print_answer(bench_text(all.back(), queries, options.with_passes));
       code = std::max(code, verdict(all.back()));
     }

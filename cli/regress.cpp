@@ -8,11 +8,11 @@
 #include "cli/regress_prove.h"
 #include "cli/staging.h"
 #include "cli/study_runs.h"
-#include "cli/truth_memory.h"
+#include "cli/verb_cache.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "core/version.h"
-#include "lab/validation_memory.h"
+#include "lab/validation_cache.h"
 #include "report/regress_output.h"
 #include "report/report.h"
 #include "results/json/results_json.h"
@@ -72,14 +72,14 @@ LoadedSuite load(const RegressOptions& options, const GlobalOptions& global, con
   return loaded;
 }
 
-RegressRenderers renderers_of(Renderer& realtime, TruthMemory& memory, const PictureQuality& picture) {
-  const auto make_reference = [&memory, picture](int samples) {
+RegressRenderers renderers_of(Renderer& realtime, VerbCache& cache, const PictureQuality& picture) {
+  const auto make_reference = [&cache, picture](int samples) {
     PictureQuality part = picture;
     part.samples_per_pixel = samples;
     part.target_se.reset();
-    return std::shared_ptr<Renderer>(std::shared_ptr<void>(), &memory.reference(part));
+    return std::shared_ptr<Renderer>(std::shared_ptr<void>(), &cache.reference(part));
   };
-  return {memory.frames(realtime), make_reference, memory.makers(realtime), &memory.answers()};
+  return {cache.frames(realtime), make_reference, cache.makers(realtime), &cache.answers()};
 }
 
 BaselineReason reason_of(const std::string& text) {
@@ -110,10 +110,10 @@ int record(const RegressOptions& options, const GlobalOptions& global) {
                "'regress check --update --reason TEXT' changes it, 'regress record --reason TEXT' makes all "
                "of it anew");
   const auto realtime = open_realtime_renderer(global, home);
-  TruthMemory memory(global, global.out, !options.no_reuse);
+  VerbCache cache(global, global.out, !options.no_reuse);
   const RegressResults measured =
-      measure_suite(suite.scenes, suite.plan, renderers_of(*realtime, memory, suite.plan.picture), progress);
-  print_reuse(memory);
+      measure_suite(suite.scenes, suite.plan, renderers_of(*realtime, cache, suite.plan.picture), progress);
+  print_reuse(cache);
   const int code = report_voids(measured);
   if (code != kExitFine) return code;
   const std::string reason = options.reason.empty() ? "recorded for the first time" : options.reason;
@@ -155,7 +155,7 @@ void write_table(const std::filesystem::path& file, const RegressResults& checke
 }
 
 /// The same runs as 'validate' shows them: pictures, faults, everything in results.json, and before and after.
-void write_results_folder(const LoadedSuite& suite, Renderer& realtime, TruthMemory& memory,
+void write_results_folder(const LoadedSuite& suite, Renderer& realtime, VerbCache& cache,
                           const RegressOptions& options, const GlobalOptions& global,
                           const RegressResults& checked, Progress& progress) {
   ValidationPlan plan;
@@ -163,11 +163,11 @@ void write_results_folder(const LoadedSuite& suite, Renderer& realtime, TruthMem
   plan.picture = suite.plan.picture;
   plan.timed_frames = suite.plan.timed_frames;
   plan.techniques = suite.plan.runs;
-  ValidationMemory runs(*memory.store(), memory.makers(realtime), !options.no_reuse);
+  ValidationCache runs(*cache.store(), cache.makers(realtime), !options.no_reuse);
   std::vector<SceneSource> sources;
   for (const SceneJob& job : suite.scenes) sources.push_back(source_of(job));
   const Results results =
-      run_validation(sources, plan, {memory.reference(plan.picture), memory.frames(realtime)}, global.out,
+      run_validation(sources, plan, {cache.reference(plan.picture), cache.frames(realtime)}, global.out,
                      progress, {}, &runs);
   const std::filesystem::path out = global.out;
   write_file_atomically(out / "results.json", to_json_text(results));
@@ -210,13 +210,13 @@ int check_suite(const RegressOptions& options, const GlobalOptions& global) {
                "make one with 'umbrameter regress record'");
   const Baseline baseline = load_baseline(suite.baseline_file);
   const auto realtime = open_realtime_renderer(global, home);
-  TruthMemory memory(global, global.out, !options.no_reuse);
-  const RegressRenderers renderers = renderers_of(*realtime, memory, suite.plan.picture);
+  VerbCache cache(global, global.out, !options.no_reuse);
+  const RegressRenderers renderers = renderers_of(*realtime, cache, suite.plan.picture);
   const RegressResults results = check_suite(suite.scenes, suite.plan, baseline, renderers, progress);
   if (!options.junit.empty()) write_file_atomically(options.junit, junit_xml(results));
   if (!options.report.empty()) write_table(options.report, results);
-  if (!global.out.empty()) write_results_folder(suite, *realtime, memory, options, global, results, progress);
-  print_reuse(memory);
+  if (!global.out.empty()) write_results_folder(suite, *realtime, cache, options, global, results, progress);
+  print_reuse(cache);
   print_answer(global.json ? regress_json(results) : regress_text(results));
   if (!options.annotate.empty()) print_answer(github_annotations(results));
   if (options.update) {

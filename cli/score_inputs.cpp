@@ -4,7 +4,7 @@
 #include "cli/home.h"
 #include "cli/positive_number.h"
 #include "cli/progress_bar.h"
-#include "cli/truth_memory.h"
+#include "cli/verb_cache.h"
 #include "core/error.h"
 #include "core/image_io.h"
 #include "lab/score.h"
@@ -34,11 +34,11 @@ Image render_truth(const SceneJob& job, const ScoreInputOptions& options, const 
   wanted.width = picture.width;
   wanted.height = picture.height;
   const Quality quality = choose_quality(wanted);
-  TruthMemory memory(global, global.out, !options.no_reuse);
+  VerbCache cache(global, global.out, !options.no_reuse);
   ProgressBar progress;
   const RenderRequest request = request_of(quality.picture);
-  Frame frame = memory.reference(quality.picture).render(job.scene, request, progress);
-  print_reuse(memory);
+  Frame frame = cache.reference(quality.picture).render(job.scene, request, progress);
+  print_reuse(cache);
   add_metadata(frame, job.scene, request);
   return std::move(frame.image);
 }

@@ -5,7 +5,7 @@
 #include "cli/home.h"
 #include "cli/progress_bar.h"
 #include "cli/staging.h"
-#include "cli/truth_memory.h"
+#include "cli/verb_cache.h"
 #include "core/files.h"
 #include "reference/reference.h"
 #include "report/selftest_output.h"
@@ -63,10 +63,10 @@ int selftest(const SelftestOptions& options, const GlobalOptions& global) {
   }
   const Staging staging(std::filesystem::temp_directory_path());
   const auto realtime = open_realtime_renderer(global, home);
-  TruthMemory memory(global, global.out, !options.no_reuse);
+  VerbCache cache(global, global.out, !options.no_reuse);
   PictureQuality truth;
   truth.samples_per_pixel = kSamplesPerPixel;
-  Renderer& reference = memory.reference(truth);
+  Renderer& reference = cache.reference(truth);
   const auto other = make_reference_renderer({kSamplesPerPixel, {}, other_threads(global.threads)});
   SelftestSettings settings;
   settings.rounds = {options.round};
@@ -81,14 +81,14 @@ int selftest(const SelftestOptions& options, const GlobalOptions& global) {
   settings.describe_run = [&home](const TechniqueChoice& choice) {
     return technique_with(choice.technique, choice.parameters, home);
   };
-  settings.answers = &memory.answers();
-  settings.makers = memory.makers(*realtime);
+  settings.answers = &cache.answers();
+  settings.makers = cache.makers(*realtime);
   settings.samples_per_pixel = kSamplesPerPixel;
   settings.techniques_hash = hash_folder(home.techniques);
   if (!global.out.empty()) create_folder(global.out);
   ProgressBar progress;
   const SelftestResults results = run_selftest(jobs, settings, {reference, *other, *realtime}, progress);
-  print_reuse(memory);
+  print_reuse(cache);
   print_answer(global.json ? selftest_json(results) + "\n" : selftest_markdown(results));
   if (results.passes()) return kExitFine;
   print_error("the selftest misses a target");

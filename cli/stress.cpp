@@ -6,7 +6,7 @@
 #include "cli/run_renderer.h"
 #include "cli/staging.h"
 #include "cli/stress_worker.h"
-#include "cli/truth_memory.h"
+#include "cli/verb_cache.h"
 #include "cli/verbs.h"
 #include "core/error.h"
 #include "core/files.h"
@@ -85,13 +85,13 @@ int work(const StressOptions& options, const StressPlan& plan, const GlobalOptio
 }
 
 StressResults measure(const StressOptions& options, const StressPlan& plan, const GlobalOptions& global,
-                      const std::filesystem::path& folder, TruthMemory& memory) {
+                      const std::filesystem::path& folder, VerbCache& cache) {
   StressResults results;
   results.plan = plan;
   results.version = kVersion;
   results.commit = kCommit;
   const StressKeys keys{plan.picture, stress_techniques(plan),
-                        memory.makers(*open_realtime_renderer(global, find_home())),
+                        cache.makers(*open_realtime_renderer(global, find_home())),
                         find_exact_program().has_value()};
   results.device = keys.makers.realtime;
   if (!keys.has_oracle)
@@ -101,7 +101,7 @@ StressResults measure(const StressOptions& options, const StressPlan& plan, cons
   ProgressBar progress;
   for (const StressAxis& axis : plan.axes) {
     const std::vector<StressCell> cells =
-        watch_axis(axis, plan, keys, memory.answers(), worker_arguments(options, global, plan, axis, folder),
+        watch_axis(axis, plan, keys, cache.answers(), worker_arguments(options, global, plan, axis, folder),
                    folder, progress);
     results.cells.insert(results.cells.end(), cells.begin(), cells.end());
   }
@@ -126,9 +126,9 @@ int stress(const StressOptions& options, const GlobalOptions& global) {
   const std::filesystem::path folder =
       options.keep_pictures ? std::filesystem::absolute(global.out) : staging.folder();
   // Pictures are of cells that are walked.
-  TruthMemory memory(global, global.out, !options.no_reuse && !options.keep_pictures);
-  const StressResults results = measure(options, plan, global, folder, memory);
-  print_reuse(memory);
+  VerbCache cache(global, global.out, !options.no_reuse && !options.keep_pictures);
+  const StressResults results = measure(options, plan, global, folder, cache);
+  print_reuse(cache);
   if (!global.out.empty()) {
     create_folder(global.out);
     write_results(results, global.out);

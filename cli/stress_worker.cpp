@@ -5,7 +5,7 @@
 #include "cli/exact_program.h"
 #include "cli/exact_truth.h"
 #include "cli/home.h"
-#include "cli/truth_memory.h"
+#include "cli/verb_cache.h"
 #include "core/clock.h"
 #include "core/error.h"
 #include "core/files.h"
@@ -163,7 +163,7 @@ void work_on_axis(const StressAxis& axis, const StressPlan& plan, const GlobalOp
   die_with_parent();
   const fs::path place = axis_folder(folder, axis);
   EditedRenderers renderers(global, place);
-  TruthMemory memory(global, global.out, reuse);
+  VerbCache cache(global, global.out, reuse);
   const auto oracle_program = find_exact_program();
   const TruthOracle no_oracle = [](const Scene&, std::span<const ReceiverPoint>) { return std::nullopt; };
   const StressTools tools = {
@@ -176,7 +176,7 @@ void work_on_axis(const StressAxis& axis, const StressPlan& plan, const GlobalOp
               const std::vector<ManifestEdit>& edits) {
             return choose_technique(run.technique, assignments, renderers.home(edits));
           },
-      .reference = memory.reference(plan.picture),
+      .reference = cache.reference(plan.picture),
       .oracle = oracle_program ? exact_truth(exact_oracle_of(*oracle_program)) : no_oracle};
   const JournalState done = read_journal(journal_of(place));
   JournalWriter journal(journal_of(place));

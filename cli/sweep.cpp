@@ -8,7 +8,7 @@
 #include "cli/study_runs.h"
 #include "cli/sweep_text.h"
 #include "cli/sweep_verbs.h"
-#include "cli/truth_memory.h"
+#include "cli/verb_cache.h"
 #include "core/error.h"
 #include "lab/stored_frames.h"
 
@@ -95,7 +95,7 @@ int sweep(const SweepOptions& options, const GlobalOptions& global) {
   if (global.out.empty()) fail_input("a sweep needs a folder to keep its results in", {}, "give --out DIR");
   ProgressBar progress;
   LoadedSweep loaded = load(options, global, progress);
-  LateStore late(global.out);
+  LazyStore late(global.out);
   Store& store = late.store();
   const Staging scratch(std::filesystem::temp_directory_path());
   StoredFrames frames(*loaded.realtime, late, loaded.plan.makers, hash_of_technique,

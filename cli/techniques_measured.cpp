@@ -6,7 +6,7 @@
 #include "cli/progress_bar.h"
 #include "cli/technique_doc.h"
 #include "cli/techniques_verbs.h"
-#include "cli/truth_memory.h"
+#include "cli/verb_cache.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "realtime/manifest/technique.h"
@@ -92,17 +92,17 @@ int show_traits(const TraitsOptions& options, const GlobalOptions& global) {
   std::vector<SceneJob> scenes;
   for (const std::string& name : trait_scene_names()) scenes.push_back(load_scene_job(name, search));
   const auto realtime = open_realtime_renderer(global, home);
-  TruthMemory memory(global, global.out, !options.no_reuse);
+  VerbCache cache(global, global.out, !options.no_reuse);
   ProgressBar progress;
   const TraitInputs inputs{.scenes = scenes,
-                           .renderers = {memory.reference(options.picture), memory.frames(*realtime)},
+                           .renderers = {cache.reference(options.picture), cache.frames(*realtime)},
                            .neutral_bias = [&](const TechniqueRun& run) { return neutral_bias(run, home); },
                            .picture = options.picture,
-                           .makers = memory.makers(*realtime),
-                           .answers = &memory.answers()};
+                           .makers = cache.makers(*realtime),
+                           .answers = &cache.answers()};
   const std::vector<TechniqueTraits> traits = measure_traits(runs, inputs, progress);
   progress.clear();
-  print_reuse(memory);
+  print_reuse(cache);
   int code = kExitFine;
   for (const TechniqueTraits& technique : traits) {
     if (technique.failure.empty()) continue;

@@ -5,8 +5,8 @@
 #include "cli/progress_bar.h"
 #include "cli/quality.h"
 #include "cli/scene_options.h"
-#include "cli/truth_memory.h"
 #include "cli/tune_text.h"
+#include "cli/verb_cache.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "lab/renamed_progress.h"
@@ -211,22 +211,22 @@ int tune(const TuneOptions& options, const GlobalOptions& global) {
   TunePlan plan = make_plan(options, home);
   std::vector<TuneGroup> groups = load_groups(options, plan, scene_search(global, home));
   const std::filesystem::path out = global.out.empty() ? "tuned" : global.out;
-  TruthMemory memory(global, out, !options.no_reuse);
+  VerbCache cache(global, out, !options.no_reuse);
   const auto realtime = open_realtime_renderer(global, home);
   const PictureQuality& picture = quality.picture;
   const PictureQuality coarse = coarse_picture(picture);
   plan.seed = picture.seed;
-  plan.kept = {memory.makers(*realtime), &memory.answers()};
-  plan.full = {picture.width_px, picture.height_px, &memory.reference(picture)};
+  plan.kept = {cache.makers(*realtime), &cache.answers()};
+  plan.full = {picture.width_px, picture.height_px, &cache.reference(picture)};
   if (!options.no_coarse && coarse.width_px >= kLeastCoarse_px)
-    plan.coarse = Fidelity{coarse.width_px, coarse.height_px, &memory.reference(coarse)};
-  Renderer& drawn = memory.frames(*realtime, {.keep_runs = false});
+    plan.coarse = Fidelity{coarse.width_px, coarse.height_px, &cache.reference(coarse)};
+  Renderer& drawn = cache.frames(*realtime, {.keep_runs = false});
   ProgressBar progress;
   std::vector<GroupTuning> tunings;
   for (TuneGroup& group : groups) tunings.push_back(tune_group(group, plan, home, drawn, progress));
   const std::vector<LitSum> sums = judge_lit_sums(options, tunings, drawn, progress);
   progress.clear();
-  print_reuse(memory);
+  print_reuse(cache);
   write_results(out, tunings, sums);
   print_answer(answer_of(tunings, sums, global.json));
   return kExitFine;

@@ -2,24 +2,24 @@
 #include "cli/console.h"
 #include "cli/home.h"
 #include "cli/interruption.h"
-#include "cli/late_realtime.h"
+#include "cli/lazy_realtime.h"
 #include "cli/motion_option.h"
-#include "cli/page_memory.h"
+#include "cli/page_cache.h"
 #include "cli/positive_number.h"
 #include "cli/preset_file.h"
 #include "cli/progress_bar.h"
 #include "cli/quality.h"
 #include "cli/reference_renderer.h"
-#include "cli/scene_memory.h"
+#include "cli/scene_cache.h"
 #include "cli/scene_options.h"
 #include "cli/staging.h"
-#include "cli/truth_memory.h"
 #include "cli/validation_text.h"
+#include "cli/verb_cache.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "core/names.h"
 #include "lab/stored_frames.h"
-#include "lab/validation_memory.h"
+#include "lab/validation_cache.h"
 #include "report/report.h"
 #include "results/json/results_json.h"
 #include "results/measured.h"
@@ -90,7 +90,7 @@ std::vector<std::string> library_scenes(const SceneSearch& search, std::vector<S
 }
 
 /// Every scene that is not known is loaded before anything is rendered, so that a bad one costs no time.
-Workload open_scenes(const std::vector<std::string>& given, const SceneSearch& search, LateStore& store,
+Workload open_scenes(const std::vector<std::string>& given, const SceneSearch& search, LazyStore& store,
                      Progress& progress) {
   Workload work;
   work.names = given.empty() ? library_scenes(search, work.skipped) : given;
@@ -168,7 +168,7 @@ void publish(const std::filesystem::path& staged, const std::filesystem::path& o
 
 /// Images always: nobody else may have touched them. Numbers and page only when they are not there already: false then.
 bool publish_results(const std::filesystem::path& staged, const std::filesystem::path& out,
-                     const std::string& json, LateStore& store) {
+                     const std::string& json, LazyStore& store) {
   if (is_page_current(store, out, json)) {
     publish(staged, out, {"images"});
     return false;
@@ -176,7 +176,7 @@ bool publish_results(const std::filesystem::path& staged, const std::filesystem:
   write_file_atomically(staged / "results.json", json);
   write_report(staged, staged / "report.html", kPageBudget_bytes, out);
   publish(staged, out, {"images", "results.json", "report-data", "report.html"});
-  if (store.exists()) remember_page(store, out, json);
+  if (store.exists()) keep_page(store, out, json);
   return true;
 }
 
@@ -229,11 +229,11 @@ int validate(const ValidateOptions& options, const GlobalOptions& global) {
   const std::filesystem::path out = global.out.empty() ? "out" : global.out;
   check_results_folder(out);
   const Staging staging(out);
-  LateStore store(out);
-  LateRealtime realtime(store, global, home, !options.no_skip);
-  LateRenderer reference([&] { return open_reference_renderer(global, quality.picture, !options.no_skip); });
+  LazyStore store(out);
+  LazyRealtime realtime(store, global, home, !options.no_skip);
+  LazyRenderer reference([&] { return open_reference_renderer(global, quality.picture, !options.no_skip); });
   const Makers makers{kReferenceMaker, realtime.identity(), hash_folder(home.shaders)};
-  ValidationMemory memory(store, makers, !options.no_reuse);
+  ValidationCache cache(store, makers, !options.no_reuse);
   StoredFrames frames(realtime.renderer(), store, makers, hash_of_technique, {.keep_runs = false},
                       staging.folder());
   const bool draws_all = options.no_reuse || options.no_skip;
@@ -250,16 +250,16 @@ int validate(const ValidateOptions& options, const GlobalOptions& global) {
         if (store.exists())
           set_interruption_note("interrupted; finished scenes are stored, go on with the same command");
       },
-      &memory);
+      &cache);
   results.skipped.insert(results.skipped.begin(), work.skipped.begin(), work.skipped.end());
   const int code = verdict(options, results);
   if (!has_any_result(results)) {  // nothing worth replacing an earlier result with
     print_answer(global.json ? to_json_text_with_work(results) : validation_text(results, options.details));
     return code;
   }
-  if (store.exists()) realtime.remember();
+  if (store.exists()) realtime.keep_identity();
   for (size_t i = 0; store.exists() && i < work.names.size(); ++i)
-    remember_scene(store, work.names[i], search, work.known[i]);
+    keep_scene(store, work.names[i], search, work.known[i]);
   const bool is_new = publish_results(staging.folder(), out, to_json_text(results), store);
   print_answer(global.json ? to_json_text_with_work(results) : validation_text(results, options.details));
   print_note(work_line(results.work));

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What a verb found out piece by piece (a case, a trial, a cell), kept in a store under what determines it: a verb that is asked
-// again, or was killed, reads it. Not here: truths (lab/stored_reference.h) and runs (lab/validation_memory.h).
+// again, or was killed, reads it. Not here: truths (lab/stored_reference.h) and runs (lab/validation_cache.h).
 
-#include "store/late_store.h"
+#include "store/lazy_store.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -18,7 +18,7 @@ class Answers {
   /// Keeps nothing.
   Answers() = default;
   /// Without `reuse` nothing is found, and everything is kept. The store must outlive it.
-  Answers(LateStore& store, bool reuse) : store_(&store), reuse_(reuse) {}
+  Answers(LazyStore& store, bool reuse) : store_(&store), reuse_(reuse) {}
 
   bool keeps() const { return store_ != nullptr; }
 
@@ -32,7 +32,7 @@ class Answers {
   size_t take_reused();
 
  private:
-  LateStore* store_ = nullptr;
+  LazyStore* store_ = nullptr;
   bool reuse_ = false;
   size_t reused_ = 0;
 };

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A renderer of runs that looks into a store before it draws, so that no verb draws a picture that another has (docs/store.md).
-// Not here: scores of pictures (lab/validation_memory.h, lab/answers.h).
+// Not here: scores of pictures (lab/validation_cache.h, lab/answers.h).
 
 #include "core/renderer.h"
 #include "lab/keys.h"
-#include "store/late_store.h"
+#include "store/lazy_store.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -35,7 +35,7 @@ using HashOfTechnique = std::function<std::string(const std::string& id_or_path)
 class StoredFrames final : public Renderer {
  public:
   /// `scratch`: an existing folder for files in the making. Renderer, store and `scratch` must outlive it.
-  StoredFrames(Renderer& renderer, LateStore& store, Makers makers, HashOfTechnique hash_of, FrameUse use,
+  StoredFrames(Renderer& renderer, LazyStore& store, Makers makers, HashOfTechnique hash_of, FrameUse use,
                const std::filesystem::path& scratch)
       : renderer_(renderer),
         store_(store),
@@ -61,7 +61,7 @@ class StoredFrames final : public Renderer {
   void keep(const std::string& key, const RenderRequest& request, const Frame& frame);
 
   Renderer& renderer_;
-  LateStore& store_;
+  LazyStore& store_;
   Makers makers_;
   HashOfTechnique hash_of_;
   FrameUse use_;

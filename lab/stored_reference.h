@@ -6,7 +6,7 @@
 #include "lab/keys.h"
 #include "results/json/record.h"
 #include "results/picture_quality.h"
-#include "store/late_store.h"
+#include "store/lazy_store.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -31,7 +31,7 @@ class StoredReference final : public Renderer {
   /// `tracer` has the samples and target of `picture`; size and seed are those of each request. Without `reuse` nothing is
   /// found, and everything is kept. `scratch`: an existing folder for files in the making. All but `picture` must outlive
   /// it.
-  StoredReference(Renderer& tracer, const PictureQuality& picture, LateStore& store, Makers makers,
+  StoredReference(Renderer& tracer, const PictureQuality& picture, LazyStore& store, Makers makers,
                   bool reuse, std::filesystem::path scratch)
       : tracer_(tracer),
         picture_(picture),
@@ -53,7 +53,7 @@ class StoredReference final : public Renderer {
 
   Renderer& tracer_;
   PictureQuality picture_;
-  LateStore& store_;
+  LazyStore& store_;
   Makers makers_;
   bool reuse_;
   std::filesystem::path scratch_;

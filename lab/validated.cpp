@@ -48,7 +48,7 @@ bool has_enough_frames(const TechniqueResult& run, const TimingPlan& timing) {
   return total->frames >= timing.wanted_frames || spent_s >= kSpentShare * timing.budget_s;
 }
 
-std::optional<RunRecord> find_swept(LateStore& store, const std::string& run, const ValidationPlan& plan) {
+std::optional<RunRecord> find_swept(LazyStore& store, const std::string& run, const ValidationPlan& plan) {
   if (plan.maps || plan.temporal_frames > 0 || plan.limit_rmse) return std::nullopt;
   const auto json = store.find(run);
   auto record = json ? parse_run_record(*json) : std::nullopt;

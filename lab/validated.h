@@ -7,7 +7,7 @@
 #include "lab/validation.h"
 #include "lab/verdicts.h"
 #include "results/json/record.h"
-#include "store/late_store.h"
+#include "store/lazy_store.h"
 
 #include <optional>
 #include <string>
@@ -18,7 +18,7 @@ namespace umbrameter {
 bool has_enough_frames(const TechniqueResult& run, const TimingPlan& timing);
 
 /// `run`: a run_key(). What a sweep keeps of it, where that answers all that `plan` asks for but pictures.
-std::optional<RunRecord> find_swept(LateStore& store, const std::string& run, const ValidationPlan& plan);
+std::optional<RunRecord> find_swept(LazyStore& store, const std::string& run, const ValidationPlan& plan);
 
 /// Notes that a validation keeps `run` under `validated`, a validated_run_key().
 void note_validated(Store& store, const std::string& run, const std::string& validated);

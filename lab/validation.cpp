@@ -9,7 +9,7 @@
 #include "lab/run_causes.h"
 #include "lab/scene_run.h"
 #include "lab/temporal.h"
-#include "lab/validation_memory.h"
+#include "lab/validation_cache.h"
 #include "results/savings.h"
 #include "scenes/instances.h"
 
@@ -42,7 +42,7 @@ struct SceneWork {
   Renderers renderers;
   const std::filesystem::path& folder;
   Progress& progress;
-  ValidationMemory* memory;  // may be null
+  ValidationCache* cache;  // may be null
 };
 
 bool is_missing(const TechniqueFrame& run) {
@@ -88,48 +88,47 @@ bool is_unlit(const Image& surfaces) {
 }
 
 /// Sets all verdicts that are known; whether that is all of them.
-bool recall_verdicts(const SceneWork& work, std::vector<TechniqueFrame>& runs) {
+bool find_verdicts(const SceneWork& work, std::vector<TechniqueFrame>& runs) {
   const TechniqueFrame* const baseline = baseline_of(work.plan, runs);
   if (baseline == nullptr) return true;
   bool is_complete = true;
   for (TechniqueFrame& run : runs) {
     if (!run.result.error || &run == baseline) continue;
-    run.has_verdict = work.memory->recall_verdict(*baseline, run);
+    run.has_verdict = work.cache->find_verdict(*baseline, run);
     is_complete = is_complete && run.has_verdict;
   }
   return is_complete;
 }
 
 /// Sets all causes that are known; whether that is all that are wanted.
-bool recall_causes(const SceneWork& work, std::vector<TechniqueFrame>& runs) {
+bool find_causes(const SceneWork& work, std::vector<TechniqueFrame>& runs) {
   bool is_complete = true;
   for (TechniqueFrame* run : runs_with_wanted_causes(work.plan, runs)) {
-    work.memory->recall_causes(work.plan, *run, runs);
+    work.cache->find_causes(work.plan, *run, runs);
     is_complete = is_complete && run->result.fault_causes;
   }
   return is_complete;
 }
 
 /// Sets what is known; whether that is everything.
-bool recall(const SceneWork& work, SceneResult& scene, std::vector<TechniqueFrame>& runs,
-            std::vector<Skip>& skipped) {
-  if (work.memory == nullptr) return false;
-  work.memory->recall(work.source, work.plan, work.folder, scene, runs);
-  if (work.plan.skip && work.memory->is_unlit(work.source, work.plan)) {
+bool find_results(const SceneWork& work, SceneResult& scene, std::vector<TechniqueFrame>& runs,
+                  std::vector<Skip>& skipped) {
+  if (work.cache == nullptr) return false;
+  work.cache->find_results(work.source, work.plan, work.folder, scene, runs);
+  if (work.plan.skip && work.cache->is_unlit(work.source, work.plan)) {
     skip_unlit(work, runs, skipped);
     return true;
   }
   const bool has_truth = scene.reference && !scene.reference->picture_file.empty() && scene.parity;
-  const bool has_runs = recall_verdicts(work, runs) && std::ranges::none_of(runs, is_missing);
-  return has_truth && has_runs && recall_causes(work, runs);
+  const bool has_runs = find_verdicts(work, runs) && std::ranges::none_of(runs, is_missing);
+  return has_truth && has_runs && find_causes(work, runs);
 }
 
-void remember_verdicts(const SceneWork& work, std::vector<TechniqueFrame>& runs) {
+void keep_verdicts(const SceneWork& work, std::vector<TechniqueFrame>& runs) {
   const TechniqueFrame* const baseline = baseline_of(work.plan, runs);
   if (baseline == nullptr) return;
   for (const TechniqueFrame& run : runs) {
-    if (run.result.error && &run != baseline && !run.has_verdict)
-      work.memory->remember_verdict(*baseline, run);
+    if (run.result.error && &run != baseline && !run.has_verdict) work.cache->keep_verdict(*baseline, run);
   }
 }
 
@@ -146,7 +145,7 @@ void measure(const SceneWork& work, SceneResult& scene, std::vector<TechniqueFra
   });
   if (scene.failure) return runs.clear();
   if (!scene.parity && work.plan.skip && is_unlit(surfaces.image)) {
-    if (work.memory != nullptr) work.memory->remember_unlit(work.source, work.plan);
+    if (work.cache != nullptr) work.cache->keep_unlit(work.source, work.plan);
     return skip_unlit(work, runs, skipped);
   }
   render_techniques(context, runs);
@@ -155,13 +154,13 @@ void measure(const SceneWork& work, SceneResult& scene, std::vector<TechniqueFra
   });
   Image reference;
   if (!all_failed) reference = require_reference(context, scene);
-  if (work.memory != nullptr) work.memory->remember_truth(work.source, work.plan, work.folder, scene);
+  if (work.cache != nullptr) work.cache->keep_truth(work.source, work.plan, work.folder, scene);
   if (scene.reference && !scene.parity && !all_failed)
     compare_renderers(context, surfaces.image, reference, scene);
-  if (work.memory != nullptr) work.memory->remember_parity(work.source, work.plan, work.folder, scene);
+  if (work.cache != nullptr) work.cache->keep_parity(work.source, work.plan, work.folder, scene);
   const bool has_sequences = work.plan.temporal_frames > 0;
   const RunDone keep = [&](TechniqueFrame& run) {
-    if (work.memory != nullptr) work.memory->remember_run(work.source, work.plan, work.folder, scene, run);
+    if (work.cache != nullptr) work.cache->keep_run(work.source, work.plan, work.folder, scene, run);
   };
   if (scene.parity && scene.parity->passes) {
     const bool is_complete = !has_sequences && work.plan.motion.empty();  // with its score
@@ -169,15 +168,15 @@ void measure(const SceneWork& work, SceneResult& scene, std::vector<TechniqueFra
         context, reference, runs, is_complete ? keep : [](TechniqueFrame&) {});
     draw_swept(context, reference, runs);
   }
-  if (work.memory != nullptr) recall_verdicts(work, runs);
+  if (work.cache != nullptr) find_verdicts(work, runs);
   compare_with_baseline(context, reference, runs);
-  if (work.memory != nullptr) remember_verdicts(work, runs);
+  if (work.cache != nullptr) keep_verdicts(work, runs);
   if (!work.plan.motion.empty()) measure_histories(context, reference, runs);
   if (has_sequences) measure_sequences(context, reference, runs, keep);
   std::ranges::for_each(runs, keep);
-  if (work.memory != nullptr) recall_causes(work, runs);
+  if (work.cache != nullptr) find_causes(work, runs);
   find_run_causes(context, reference, scene, runs, [&](const TechniqueFrame& run) {
-    if (work.memory != nullptr) work.memory->remember_causes(run, runs);
+    if (work.cache != nullptr) work.cache->keep_causes(run, runs);
   });
 }
 
@@ -190,7 +189,7 @@ SceneResult validate_scene(const SceneWork& work, Results& results) {
   SceneResult scene = work.source.description;
   create_folder((work.folder / image_path(scene.name, "reference.exr")).parent_path());
   std::vector<TechniqueFrame> runs = choose_runs(work.plan, scene, work.source.light, results.skipped);
-  if (!recall(work, scene, runs, results.skipped)) measure(work, scene, runs, results.skipped);
+  if (!find_results(work, scene, runs, results.skipped)) measure(work, scene, runs, results.skipped);
   for (TechniqueFrame& run : runs) scene.techniques.push_back(std::move(run.result));
   count(scene, results.work);
   return scene;
@@ -225,7 +224,7 @@ Results run_validation(std::span<const SceneJob> scenes, const ValidationPlan& p
 
 Results run_validation(std::span<const SceneSource> scenes, const ValidationPlan& plan, Renderers renderers,
                        const std::filesystem::path& folder, Progress& progress, const SceneDone& scene_done,
-                       ValidationMemory* memory) {
+                       ValidationCache* cache) {
   Results results;
   results.version = kVersion;
   results.commit = kCommit;
@@ -235,7 +234,7 @@ Results run_validation(std::span<const SceneSource> scenes, const ValidationPlan
     const std::string prefix =
         fmt::format("{} ({} of {}), ", source.description.name, results.scenes.size() + 1, scenes.size());
     RenamedProgress renamed(progress, [&](std::string_view task) { return prefix + std::string(task); });
-    results.scenes.push_back(validate_scene({source, plan, renderers, folder, renamed, memory}, results));
+    results.scenes.push_back(validate_scene({source, plan, renderers, folder, renamed, cache}, results));
     if (scene_done) scene_done(results.scenes.back());
   }
   add_savings(results);

@@ -20,7 +20,7 @@
 
 namespace umbrameter {
 
-class ValidationMemory;  // lab/validation_memory.h
+class ValidationCache;  // lab/validation_cache.h
 
 /// A loaded scene under the name the user knows it by.
 struct SceneJob {
@@ -81,6 +81,6 @@ Results run_validation(std::span<const SceneJob> scenes, const ValidationPlan& p
 /// The same; what `memory` (may be null) knows is not rendered again, and it learns the rest.
 Results run_validation(std::span<const SceneSource> scenes, const ValidationPlan& plan, Renderers renderers,
                        const std::filesystem::path& folder, Progress& progress, const SceneDone& scene_done,
-                       ValidationMemory* memory);
+                       ValidationCache* cache);
 
 }  // namespace umbrameter

@@ -9,7 +9,7 @@
 #include "lab/technique_result.h"
 #include "metrics/image/shadow_quantity.h"
 #include "scenes/instances.h"
-#include "study/grid/bench_memory.h"
+#include "study/grid/bench_cache.h"
 #include "study/study_camera.h"
 
 #include <fmt/format.h>
@@ -26,7 +26,7 @@ struct BenchContext {
   Renderers renderers;
   Progress& progress;
   const TruthPlan& truth;
-  BenchMemory* memory;  // may be null
+  BenchCache* cache;  // may be null
 };
 
 /// The truth, rendered when the first run has a picture: a shader that does not compile is found before.
@@ -122,7 +122,7 @@ void take_first_frame(const BenchContext& context, Frame& frame, KeptRun* kept, 
     if (kept != nullptr && kept->is_known) return take_error(kept->record.result.error, entry);
     if (!truth.image) return;
     if (kept != nullptr) {
-      keep_scored(*context.memory, context.job.scene, frame, *truth.image, truth.shared, *kept);
+      keep_scored(*context.cache, context.job.scene, frame, *truth.image, truth.shared, *kept);
       return take_error(kept->record.result.error, entry);
     }
     std::optional<Image> made;
@@ -154,16 +154,16 @@ void measure(const BenchContext& context, std::span<const BenchRun* const> runs,
 /// Measured now, or known.
 void measure_or_recall(const BenchContext& context, std::span<const BenchRun* const> runs, BenchScene& scene,
                        std::vector<Skip>& skipped) {
-  if (context.memory == nullptr) return measure(context, runs, {}, scene);
-  std::vector<KeptRun> kept = find_runs(*context.memory, context.job, context.plan, runs);
-  if (recall_scene(*context.memory, context.plan, kept, scene)) {
+  if (context.cache == nullptr) return measure(context, runs, {}, scene);
+  std::vector<KeptRun> kept = find_runs(*context.cache, context.job, context.plan, runs);
+  if (find_scene(*context.cache, context.plan, kept, scene)) {
     double saved_s = 0.0;
     for (const KeptRun& run : kept) saved_s += run.record.head.duration_s;
     skipped.push_back({scene.name, "", "its runs and their times are stored", saved_s});
     return;
   }
   measure(context, runs, kept, scene);
-  remember_scene(*context.memory, context.plan, kept, scene);
+  keep_scene(*context.cache, context.plan, kept, scene);
 }
 
 BenchScene bench_scene(const BenchContext& context, std::vector<Skip>& skipped) {
@@ -203,7 +203,7 @@ RunRecord make_record(const BenchRun& run, RecordHead head, const std::string& r
 
 BenchResults run_bench(std::span<const StudyScene> scenes, const BenchPlan& plan, Renderers renderers,
                        Progress& progress, const BenchSceneDone& scene_done, const TruthPlan& truth,
-                       BenchMemory* memory) {
+                       BenchCache* cache) {
   BenchResults results;
   results.version = kVersion;
   results.commit = kCommit;
@@ -212,7 +212,7 @@ BenchResults run_bench(std::span<const StudyScene> scenes, const BenchPlan& plan
     const std::string prefix =
         fmt::format("{} ({} of {}), ", full_name(job), results.scenes.size() + 1, scenes.size());
     RenamedProgress renamed(progress, [&](std::string_view task) { return prefix + std::string(task); });
-    results.scenes.push_back(bench_scene({job, plan, renderers, renamed, truth, memory}, results.skipped));
+    results.scenes.push_back(bench_scene({job, plan, renderers, renamed, truth, cache}, results.skipped));
     if (scene_done) scene_done(results.scenes.back());
   }
   return results;

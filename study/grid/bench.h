@@ -22,8 +22,8 @@
 namespace umbrameter {
 
 /// Where a bench finds and leaves runs with their scores, as a sweep does, and the times of each scene's runs.
-struct BenchMemory {
-  LateStore& store;
+struct BenchCache {
+  LazyStore& store;
   Answers& answers;
   Makers makers;
   bool reuse = true;
@@ -52,6 +52,6 @@ using BenchSceneDone = std::function<void(const BenchScene&)>;
 /// a score are scored.
 BenchResults run_bench(std::span<const StudyScene> scenes, const BenchPlan& plan, Renderers renderers,
                        Progress& progress, const BenchSceneDone& scene_done = {}, const TruthPlan& truth = {},
-                       BenchMemory* memory = nullptr);
+                       BenchCache* cache = nullptr);
 
 }  // namespace umbrameter

@@ -27,13 +27,13 @@ class KeptAnswers : public testing::Test {
 
 TEST_F(KeptAnswers, AreThereForTheNextProcess) {
   {
-    LateStore store(out());
+    LazyStore store(out());
     Answers answers(store, true);
     EXPECT_EQ(number(answers, "a"), -1);
     EXPECT_FALSE(std::filesystem::exists(out())) << "looking leaves nothing behind";
     answers.keep("a", {{"number", 3}});
   }
-  LateStore store(out());
+  LazyStore store(out());
   Answers answers(store, true);
   EXPECT_EQ(number(answers, "a"), 3);
   EXPECT_EQ(number(answers, "b"), -1);
@@ -42,7 +42,7 @@ TEST_F(KeptAnswers, AreThereForTheNextProcess) {
 }
 
 TEST_F(KeptAnswers, OfAnotherVersionAreNone) {
-  LateStore store(out());
+  LazyStore store(out());
   Answers answers(store, true);
   answers.keep("a", {{"value", 3}});
   EXPECT_FALSE(answers.find("a", [](const nlohmann::json& json) { json.at("number").get<int>(); }));
@@ -50,7 +50,7 @@ TEST_F(KeptAnswers, OfAnotherVersionAreNone) {
 }
 
 TEST_F(KeptAnswers, AreNotFoundWithoutReuseAndReplaced) {
-  LateStore store(out());
+  LazyStore store(out());
   Answers answers(store, false), later(store, true);
   answers.keep("a", {{"number", 3}});
   EXPECT_EQ(number(answers, "a"), -1);

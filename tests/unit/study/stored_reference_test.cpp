@@ -33,8 +33,8 @@ class StoredTruths : public testing::Test {
 
   /// As another process would.
   template <class Work>
-  auto with_memory(const Work& work) {
-    LateStore store(out());
+  auto with_cache(const Work& work) {
+    LazyStore store(out());
     StoredReference reference(tracer_, picture_, store, makers(), reuse_, scratch());
     auto result = work(reference);
     reused_ = reference.take_reused();
@@ -42,7 +42,7 @@ class StoredTruths : public testing::Test {
     return result;
   }
   Frame render() {
-    return with_memory(
+    return with_cache(
         [&](Renderer& reference) { return reference.render(job_.scene, request_of(picture_), progress_); });
   }
   /// Truths rendered since it was last asked.
@@ -171,7 +171,7 @@ TEST_F(StoredTruths, ABenchHasTheSameNumbersFromThem) {
   plan.timing = {.wanted_frames = 7, .budget_s = 1.0};
   const std::vector<StudyScene> scenes{{"plate", job_.scene}};
   const auto bench = [&] {
-    return with_memory([&](Renderer& reference) {
+    return with_cache([&](Renderer& reference) {
       FakeRenderer realtime = fake_realtime();
       return to_json_text(run_bench(scenes, plan, {reference, realtime}, progress_), {});
     });
@@ -215,9 +215,9 @@ TEST_F(StoredTruths, ATunerHasTheSameNumbersFromThem) {
   const std::string without = tune(tracer_);
   const size_t wanted = rendered();
   EXPECT_GE(wanted, 10u);  // five cameras at both sizes
-  EXPECT_EQ(with_memory(tune), without);
+  EXPECT_EQ(with_cache(tune), without);
   EXPECT_EQ(rendered() + reused_.count, wanted);
-  EXPECT_EQ(with_memory(tune), without);
+  EXPECT_EQ(with_cache(tune), without);
   EXPECT_EQ(rendered(), 0u);
   EXPECT_EQ(reused_.count, wanted);
 }

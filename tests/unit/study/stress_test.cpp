@@ -189,7 +189,7 @@ TEST(StressJournal, is_read_while_it_grows) {
 
 TEST(StressCells, WhatTheMachineDidIsNotKept) {
   const TemporaryFolder folder;
-  LateStore store(folder.path() / "out");
+  LazyStore store(folder.path() / "out");
   Answers answers(store, true);
   StressAxis axis;
   axis.name = "size";

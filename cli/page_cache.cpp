@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/page_memory.h"
+#include "cli/page_cache.h"
 
 #include "core/files.h"
 #include "core/hash.h"
@@ -27,14 +27,14 @@ std::string state_of(const fs::path& out, const std::string& json) {
 
 }  // namespace
 
-bool is_page_current(LateStore& store, const fs::path& out, const std::string& json) {
+bool is_page_current(LazyStore& store, const fs::path& out, const std::string& json) {
   const auto known = store.find(key_of(out));
   if (!known || *known != state_of(out, json)) return false;
   const fs::path file = out / "results.json";
   return fs::is_regular_file(file) && read_file(file) == json;
 }
 
-void remember_page(LateStore& store, const fs::path& out, const std::string& json) {
+void keep_page(LazyStore& store, const fs::path& out, const std::string& json) {
   store.store().put({key_of(out), EntryKind::page, state_of(out, json)});
 }
 

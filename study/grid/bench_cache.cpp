@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "study/grid/bench_memory.h"
+#include "study/grid/bench_cache.h"
 
 #include "core/clock.h"
 #include "core/hash.h"
@@ -26,9 +26,9 @@ std::string times_key(const BenchPlan& plan, std::span<const KeptRun> runs) {
   return hasher.hex();
 }
 
-std::optional<RunRecord> find_known(BenchMemory& memory, const std::string& key) {
-  if (!memory.reuse || !memory.store.exists()) return std::nullopt;
-  return find_run(memory.store.store(), key, {}).record;
+std::optional<RunRecord> find_known(BenchCache& cache, const std::string& key) {
+  if (!cache.reuse || !cache.store.exists()) return std::nullopt;
+  return find_run(cache.store.store(), key, {}).record;
 }
 
 /// What a record lacks.
@@ -67,17 +67,17 @@ void read_scene(const nlohmann::json& json, std::span<const KeptRun> runs, Bench
 
 }  // namespace
 
-std::vector<KeptRun> find_runs(BenchMemory& memory, const StudyScene& job, const BenchPlan& plan,
+std::vector<KeptRun> find_runs(BenchCache& cache, const StudyScene& job, const BenchPlan& plan,
                                std::span<const BenchRun* const> runs) {
-  const std::string reference = reference_key(job.scene, plan.picture, memory.makers);
+  const std::string reference = reference_key(job.scene, plan.picture, cache.makers);
   std::vector<KeptRun> found;
   std::map<uint64_t, std::string> baselines;  // by seed: the key of its first run, as a sweep has it
   for (const BenchRun* run : runs) {
     KeptRun kept;
     kept.run = run;
-    kept.key = run_key(reference, run->technique, run->seed, {}, memory.makers);
+    kept.key = run_key(reference, run->technique, run->seed, {}, cache.makers);
     const auto [baseline, is_first] = baselines.try_emplace(run->seed, kept.key);
-    if (auto record = find_known(memory, kept.key)) {
+    if (auto record = find_known(cache, kept.key)) {
       kept.record = *std::move(record);
       kept.is_known = true;
     } else {
@@ -89,29 +89,27 @@ std::vector<KeptRun> find_runs(BenchMemory& memory, const StudyScene& job, const
   return found;
 }
 
-bool recall_scene(BenchMemory& memory, const BenchPlan& plan, std::span<const KeptRun> runs,
-                  BenchScene& scene) {
+bool find_scene(BenchCache& cache, const BenchPlan& plan, std::span<const KeptRun> runs, BenchScene& scene) {
   if (runs.empty() || !std::ranges::all_of(runs, &KeptRun::is_known)) return false;
   BenchScene known = scene;
   const bool is_found =
-      memory.answers.find(times_key(plan, runs), [&](const auto& json) { read_scene(json, runs, known); });
+      cache.answers.find(times_key(plan, runs), [&](const auto& json) { read_scene(json, runs, known); });
   if (is_found) scene = std::move(known);
   return is_found;
 }
 
-void keep_scored(BenchMemory& memory, const Scene& scene, const Frame& frame, const Image& truth,
+void keep_scored(BenchCache& cache, const Scene& scene, const Frame& frame, const Image& truth,
                  SharedTruth& shared, KeptRun& run) {
   const Clock::time_point start = Clock::now();
   RunRecord& record = run.record;
   take_frame(frame, record.result);
-  Store& store = memory.store.store();
-  keep_score({store, memory.scratch, memory.makers}, scene, frame.image, truth, {}, shared, record);
+  Store& store = cache.store.store();
+  keep_score({store, cache.scratch, cache.makers}, scene, frame.image, truth, {}, shared, record);
   record.head.duration_s = record.result.wall_time_s + seconds_since(start);
   store.put({run.key, EntryKind::run, to_json_text(record)});
 }
 
-void remember_scene(BenchMemory& memory, const BenchPlan& plan, std::span<KeptRun> runs,
-                    const BenchScene& scene) {
+void keep_scene(BenchCache& cache, const BenchPlan& plan, std::span<KeptRun> runs, const BenchScene& scene) {
   if (!scene.parity) return;
   OrderedJson entries = OrderedJson::array();
   for (size_t i = 0; i < runs.size(); ++i) {
@@ -120,13 +118,13 @@ void remember_scene(BenchMemory& memory, const BenchPlan& plan, std::span<KeptRu
     if (run.is_known) continue;
     run.record.result.failure = scene.entries[i].failure;
     if (!run.record.parity) run.record.parity = scene.parity;
-    memory.store.store().put({run.key, EntryKind::run, to_json_text(run.record)});
+    cache.store.store().put({run.key, EntryKind::run, to_json_text(run.record)});
   }
-  memory.answers.keep(times_key(plan, runs), {{"reference_device", scene.reference_device},
-                                              {"parity", parity_json(scene.parity)},
-                                              {"scorable_pixels", scene.scorable_pixels},
-                                              {"scored_pixels", scene.scored_pixels},
-                                              {"runs", std::move(entries)}});
+  cache.answers.keep(times_key(plan, runs), {{"reference_device", scene.reference_device},
+                                             {"parity", parity_json(scene.parity)},
+                                             {"scorable_pixels", scene.scorable_pixels},
+                                             {"scored_pixels", scene.scored_pixels},
+                                             {"runs", std::move(entries)}});
 }
 
 }  // namespace umbrameter

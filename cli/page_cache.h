@@ -3,7 +3,7 @@
 // Whether a results folder holds the page of given results already: making it again takes longer than everything else when
 // nothing is rendered.
 
-#include "store/late_store.h"
+#include "store/lazy_store.h"
 
 #include <filesystem>
 #include <string>
@@ -11,8 +11,8 @@
 namespace umbrameter {
 
 /// Whether results.json in `out` is `json`, and report.html is still what this program made of it.
-bool is_page_current(LateStore& store, const std::filesystem::path& out, const std::string& json);
+bool is_page_current(LazyStore& store, const std::filesystem::path& out, const std::string& json);
 
-void remember_page(LateStore& store, const std::filesystem::path& out, const std::string& json);
+void keep_page(LazyStore& store, const std::filesystem::path& out, const std::string& json);
 
 }  // namespace umbrameter

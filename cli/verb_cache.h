@@ -3,7 +3,7 @@
 // What a verb shares with others through the store in --out: truths (lab/stored_reference.h) and answers of its own
 // (lab/answers.h).
 
-#include "cli/late_renderer.h"
+#include "cli/lazy_renderer.h"
 #include "cli/staging.h"
 #include "cli/verbs.h"
 #include "lab/answers.h"
@@ -17,10 +17,10 @@
 
 namespace umbrameter {
 
-class TruthMemory {
+class VerbCache {
  public:
   /// With an empty `folder` nothing is remembered. Error{input} for one that cannot be written. `options` must outlive it.
-  TruthMemory(const GlobalOptions& options, const std::filesystem::path& folder, bool reuse);
+  VerbCache(const GlobalOptions& options, const std::filesystem::path& folder, bool reuse);
 
   /// A ray tracer of the picture's samples and target; lives as long as this.
   Renderer& reference(const PictureQuality& picture);
@@ -31,7 +31,7 @@ class TruthMemory {
   /// The answers in the store; without one nothing is kept.
   Answers& answers() { return answers_; }
   /// The store; null without a folder.
-  LateStore* store() { return store_ ? &*store_ : nullptr; }
+  LazyStore* store() { return store_ ? &*store_ : nullptr; }
   /// For files in the making; there only with a store.
   const std::filesystem::path& scratch() const { return scratch_->folder(); }
   /// Who makes what is kept; `realtime` is one of open_realtime_renderer().
@@ -45,14 +45,14 @@ class TruthMemory {
 
  private:
   struct Reference {
-    LateRenderer tracer;
+    LazyRenderer tracer;
     std::optional<StoredReference> stored;
   };
 
   const GlobalOptions& options_;
   bool reuse_;
   std::optional<Staging> scratch_;
-  std::optional<LateStore> store_;
+  std::optional<LazyStore> store_;
   Answers answers_;
   std::optional<StoredFrames> frames_;
   std::vector<std::unique_ptr<Reference>> references_;
@@ -71,6 +71,6 @@ std::optional<std::string> reused_frames_line(size_t count);
 void require_store(bool no_reuse, const GlobalOptions& options);
 
 /// Prints what was found damaged and how much was reused, where there is something to say.
-void print_reuse(TruthMemory& memory);
+void print_reuse(VerbCache& cache);
 
 }  // namespace umbrameter

@@ -10,10 +10,10 @@
 
 namespace umbrameter {
 
-class LateStore {
+class LazyStore {
  public:
   /// Opens the store in `folder` if there is one.
-  explicit LateStore(std::filesystem::path folder) : folder_(std::move(folder)) {
+  explicit LazyStore(std::filesystem::path folder) : folder_(std::move(folder)) {
     if (has_store(folder_)) store();
   }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/truth_memory.h"
+#include "cli/verb_cache.h"
 
 #include "cli/console.h"
 #include "cli/home.h"
@@ -15,7 +15,7 @@ std::string hash_of_technique(const std::string& id_or_path) {
   return find_run(id_or_path, find_home()).hash;
 }
 
-TruthMemory::TruthMemory(const GlobalOptions& options, const std::filesystem::path& folder, bool reuse)
+VerbCache::VerbCache(const GlobalOptions& options, const std::filesystem::path& folder, bool reuse)
     : options_(options), reuse_(reuse) {
   if (folder.empty()) return;
   scratch_.emplace(folder);
@@ -23,13 +23,13 @@ TruthMemory::TruthMemory(const GlobalOptions& options, const std::filesystem::pa
   answers_ = Answers(*store_, reuse);
 }
 
-Makers TruthMemory::makers(const Renderer& realtime) const {
+Makers VerbCache::makers(const Renderer& realtime) const {
   return {kReferenceMaker, run_identity(realtime), hash_folder(find_home().shaders)};
 }
 
-Renderer& TruthMemory::reference(const PictureQuality& picture) {
+Renderer& VerbCache::reference(const PictureQuality& picture) {
   const auto open = [this, picture] { return open_reference_renderer(options_, picture); };
-  references_.push_back(std::make_unique<Reference>(Reference{LateRenderer(open), {}}));
+  references_.push_back(std::make_unique<Reference>(Reference{LazyRenderer(open), {}}));
   Reference& reference = *references_.back();
   if (!store_) return reference.tracer;
   Makers makers;
@@ -38,7 +38,7 @@ Renderer& TruthMemory::reference(const PictureQuality& picture) {
   return *reference.stored;
 }
 
-Renderer& TruthMemory::frames(Renderer& realtime, FrameUse use) {
+Renderer& VerbCache::frames(Renderer& realtime, FrameUse use) {
   if (!store_) return realtime;
   use.find = use.find && reuse_;
   if (!frames_)
@@ -46,7 +46,7 @@ Renderer& TruthMemory::frames(Renderer& realtime, FrameUse use) {
   return *frames_;
 }
 
-ReusedTruths TruthMemory::take_reused() {
+ReusedTruths VerbCache::take_reused() {
   ReusedTruths all;
   for (const auto& reference : references_) {
     if (reference->stored) all += reference->stored->take_reused();
@@ -54,7 +54,7 @@ ReusedTruths TruthMemory::take_reused() {
   return all;
 }
 
-std::vector<std::string> TruthMemory::take_warnings() {
+std::vector<std::string> VerbCache::take_warnings() {
   return store_ ? store_->take_warnings() : std::vector<std::string>();
 }
 
@@ -73,12 +73,12 @@ void require_store(bool no_reuse, const GlobalOptions& options) {
     fail_input("--no-reuse needs --out", {}, "without a store nothing is reused");
 }
 
-void print_reuse(TruthMemory& memory) {
-  print_warnings(memory.take_warnings());
-  const ReusedTruths truths = memory.take_reused();
+void print_reuse(VerbCache& cache) {
+  print_warnings(cache.take_warnings());
+  const ReusedTruths truths = cache.take_reused();
   if (truths.count > 0) print_note(reused_line(truths));
-  if (const auto line = reused_frames_line(memory.take_reused_frames())) print_note(*line);
-  const size_t answers = memory.answers().take_reused();
+  if (const auto line = reused_frames_line(cache.take_reused_frames())) print_note(*line);
+  const size_t answers = cache.answers().take_reused();
   if (answers > 0) print_note(fmt::format("{} stored answer{} reused", answers, answers == 1 ? "" : "s"));
 }
 

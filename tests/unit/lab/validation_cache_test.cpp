@@ -2,7 +2,7 @@
 // Without these a validation could render what it knows, take another setting's result for its own, remember a failure of
 // the machine, or score twins differently.
 
-#include "lab/validation_memory.h"
+#include "lab/validation_cache.h"
 #include "core/error.h"
 #include "results/json/results_json.h"
 #include "tests/support/lab/fakes.h"
@@ -19,8 +19,8 @@ using testing::HasSubstr;
 class Memory : public testing::Test {
  protected:
   Results validate(const ValidationPlan& plan, bool reuse = true, const std::string& device = "device 1") {
-    LateStore store(folder_.path() / "out");
-    ValidationMemory memory(store, {"tracer", device, "shaders"}, reuse);
+    LazyStore store(folder_.path() / "out");
+    ValidationCache memory(store, {"tracer", device, "shaders"}, reuse);
     const std::vector<SceneSource> sources{source_of(job_)};
     return run_validation(sources, plan, {reference_, realtime_}, folder_.path() / "out", progress_, {},
                           &memory);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "lab/validation_memory.h"
+#include "lab/validation_cache.h"
 
 #include "core/hash.h"
 #include "core/version.h"
@@ -109,16 +109,17 @@ std::string key_of(const std::string& reference, const TechniqueFrame& run, cons
 
 }  // namespace
 
-std::optional<std::string> ValidationMemory::find(const std::string& key) {
+std::optional<std::string> ValidationCache::find(const std::string& key) {
   return reuse_ ? store_.find(key) : std::nullopt;
 }
 
-std::string ValidationMemory::reference_of(const SceneSource& source, const ValidationPlan& plan) const {
+std::string ValidationCache::reference_of(const SceneSource& source, const ValidationPlan& plan) const {
   return reference_key(source.description.hash, source.active_light, plan.picture, makers_, plan.skip);
 }
 
-void ValidationMemory::recall(const SceneSource& source, const ValidationPlan& plan, const fs::path& folder,
-                              SceneResult& scene, std::vector<TechniqueFrame>& runs) {
+void ValidationCache::find_results(const SceneSource& source, const ValidationPlan& plan,
+                                   const fs::path& folder, SceneResult& scene,
+                                   std::vector<TechniqueFrame>& runs) {
   const std::string reference = reference_of(source, plan);
   kept_.clear();
   for (TechniqueFrame& run : runs) {
@@ -153,8 +154,8 @@ void ValidationMemory::recall(const SceneSource& source, const ValidationPlan& p
   kept_.insert(parity);
 }
 
-void ValidationMemory::remember_truth(const SceneSource& source, const ValidationPlan& plan,
-                                      const fs::path& folder, const SceneResult& scene) {
+void ValidationCache::keep_truth(const SceneSource& source, const ValidationPlan& plan,
+                                 const fs::path& folder, const SceneResult& scene) {
   const std::string key = reference_of(source, plan);
   if (!scene.reference || !kept_.insert(key).second) return;
   const ReferenceResult truth = kept(store_.store(), folder, *scene.reference);
@@ -162,17 +163,16 @@ void ValidationMemory::remember_truth(const SceneSource& source, const Validatio
   store_.store().put({key, EntryKind::reference, to_json_text(ReferenceRecord{head, truth})});
 }
 
-void ValidationMemory::remember_parity(const SceneSource& source, const ValidationPlan& plan,
-                                       const fs::path& folder, const SceneResult& scene) {
+void ValidationCache::keep_parity(const SceneSource& source, const ValidationPlan& plan,
+                                  const fs::path& folder, const SceneResult& scene) {
   const std::string key = parity_key(reference_of(source, plan), makers_);
   if (!scene.parity || !kept_.insert(key).second) return;
   const ParityNumbers parity = kept(store_.store(), folder, *scene.parity);
   store_.store().put({key, EntryKind::parity, parity_json(parity).dump()});
 }
 
-void ValidationMemory::remember_run(const SceneSource& source, const ValidationPlan& plan,
-                                    const fs::path& folder, const SceneResult& scene,
-                                    const TechniqueFrame& run) {
+void ValidationCache::keep_run(const SceneSource& source, const ValidationPlan& plan, const fs::path& folder,
+                               const SceneResult& scene, const TechniqueFrame& run) {
   if (!scene.reference || !scene.parity || !is_final(run.result) || !kept_.insert(run.key).second) return;
   const std::string reference = reference_of(source, plan);
   RunRecord record{head_of(source, plan, run.result.measured_at, run.result.wall_time_s + run.scoring_s),
@@ -194,7 +194,7 @@ void ValidationMemory::remember_run(const SceneSource& source, const ValidationP
              run.frame, std::vector{record.result.image_file});
 }
 
-bool ValidationMemory::recall_verdict(const TechniqueFrame& baseline, TechniqueFrame& run) {
+bool ValidationCache::find_verdict(const TechniqueFrame& baseline, TechniqueFrame& run) {
   const auto found = read_json(find(verdict_key(run.key, baseline.key)), [](const nlohmann::json& json) {
     return std::optional(read_judgement(json));
   });
@@ -204,32 +204,32 @@ bool ValidationMemory::recall_verdict(const TechniqueFrame& baseline, TechniqueF
   return true;
 }
 
-void ValidationMemory::remember_verdict(const TechniqueFrame& baseline, const TechniqueFrame& run) {
+void ValidationCache::keep_verdict(const TechniqueFrame& baseline, const TechniqueFrame& run) {
   OrderedJson json;
   add_judgement({.significance = {}, .verdict = run.result.judgement.verdict, .limit = {}}, json);
   store_.store().put({verdict_key(run.key, baseline.key), EntryKind::verdict, json.dump()});
 }
 
-void ValidationMemory::recall_causes(const ValidationPlan& plan, TechniqueFrame& run,
-                                     std::span<const TechniqueFrame> runs) {
+void ValidationCache::find_causes(const ValidationPlan& plan, TechniqueFrame& run,
+                                  std::span<const TechniqueFrame> runs) {
   auto known = read_json(find(causes_key(run.key)), read_fault_causes);
   if (!known && plan.causes == CausesWanted::automatic)
     known = read_json(find(skip_of_causes_key(run, runs)), read_fault_causes);
   if (known) run.result.fault_causes = std::move(known);
 }
 
-void ValidationMemory::remember_causes(const TechniqueFrame& run, std::span<const TechniqueFrame> runs) {
+void ValidationCache::keep_causes(const TechniqueFrame& run, std::span<const TechniqueFrame> runs) {
   const auto& causes = run.result.fault_causes;
   if (!causes) return;
   const std::string key = causes->skipped ? skip_of_causes_key(run, runs) : causes_key(run.key);
   store_.store().put({key, EntryKind::verdict, fault_causes_json(causes).dump()});
 }
 
-bool ValidationMemory::is_unlit(const SceneSource& source, const ValidationPlan& plan) {
+bool ValidationCache::is_unlit(const SceneSource& source, const ValidationPlan& plan) {
   return find(unlit_key(reference_of(source, plan), makers_)).has_value();
 }
 
-void ValidationMemory::remember_unlit(const SceneSource& source, const ValidationPlan& plan) {
+void ValidationCache::keep_unlit(const SceneSource& source, const ValidationPlan& plan) {
   store_.store().put({unlit_key(reference_of(source, plan), makers_), EntryKind::parity, kUnlit});
 }
 

@@ -3,7 +3,7 @@
 // Scenes that are not loaded as long as only their description is needed: it is remembered in a store.
 
 #include "cli/home.h"
-#include "store/late_store.h"
+#include "store/lazy_store.h"
 
 #include <span>
 #include <string>
@@ -13,11 +13,11 @@ namespace umbrameter {
 
 /// Descriptions of the scene's views, one a light, from the store or from loading it. What is loaded is kept until it has
 /// been used.
-std::vector<SceneSource> open_scene(LateStore& store, const std::string& name_or_path,
+std::vector<SceneSource> open_scene(LazyStore& store, const std::string& name_or_path,
                                     const SceneSearch& search);
 
 /// Keeps the descriptions of a loaded scene's views under the text of its file and the sizes and times of its meshes.
-void remember_scene(LateStore& store, const std::string& name_or_path, const SceneSearch& search,
-                    std::span<const SceneSource> sources);
+void keep_scene(LazyStore& store, const std::string& name_or_path, const SceneSearch& search,
+                std::span<const SceneSource> sources);
 
 }  // namespace umbrameter

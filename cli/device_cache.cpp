@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/device_memory.h"
+#include "cli/device_cache.h"
 
 #include "core/hash.h"
 #include "store/file_stamp.h"
@@ -82,7 +82,7 @@ std::set<std::string> loaded_libraries() {
 
 }  // namespace
 
-std::optional<std::string> recall_device(LateStore& store, const GlobalOptions& options) {
+std::optional<std::string> find_device(LazyStore& store, const GlobalOptions& options) {
   const auto text = store.find(key_of(options));
   const Json json = text ? Json::parse(*text, nullptr, false) : Json();
   if (!json.is_object()) return std::nullopt;
@@ -92,7 +92,7 @@ std::optional<std::string> recall_device(LateStore& store, const GlobalOptions& 
   return json.at("identity").get<std::string>();
 }
 
-void remember_device(LateStore& store, const GlobalOptions& options, const std::string& identity) {
+void keep_device(LazyStore& store, const GlobalOptions& options, const std::string& identity) {
   Json libraries = Json::object();
   for (const std::string& file : loaded_libraries()) libraries[file] = file_stamp(file);
   const Json json{{"identity", identity}, {"libraries", libraries}};

@@ -9,9 +9,9 @@
 
 namespace umbrameter {
 
-class LateRenderer final : public Renderer {
+class LazyRenderer final : public Renderer {
  public:
-  explicit LateRenderer(std::function<std::unique_ptr<Renderer>()> open) : open_(std::move(open)) {}
+  explicit LazyRenderer(std::function<std::unique_ptr<Renderer>()> open) : open_(std::move(open)) {}
 
   Frame render(const Scene& scene, const RenderRequest& request, Progress& progress) override {
     return renderer().render(scene, request, progress);

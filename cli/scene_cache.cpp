@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/scene_memory.h"
+#include "cli/scene_cache.h"
 
 #include "core/files.h"
 #include "core/hash.h"
@@ -101,7 +101,7 @@ std::vector<SceneSource> read_sources(const std::string& text, const std::string
 
 }  // namespace
 
-std::vector<SceneSource> open_scene(LateStore& store, const std::string& name_or_path,
+std::vector<SceneSource> open_scene(LazyStore& store, const std::string& name_or_path,
                                     const SceneSearch& search) {
   const auto key = key_of(resolve_scene(name_or_path, search), search);
   std::vector<SceneSource> sources;
@@ -117,8 +117,8 @@ std::vector<SceneSource> open_scene(LateStore& store, const std::string& name_or
   return sources;
 }
 
-void remember_scene(LateStore& store, const std::string& name_or_path, const SceneSearch& search,
-                    std::span<const SceneSource> sources) {
+void keep_scene(LazyStore& store, const std::string& name_or_path, const SceneSearch& search,
+                std::span<const SceneSource> sources) {
   const auto key = key_of(resolve_scene(name_or_path, search), search);
   if (!key) return;
   Json all = Json::array();

@@ -22,19 +22,17 @@ struct KeptRun {
 };
 
 /// Every run with what is known of it.
-std::vector<KeptRun> find_runs(BenchMemory& memory, const StudyScene& job, const BenchPlan& plan,
+std::vector<KeptRun> find_runs(BenchCache& cache, const StudyScene& job, const BenchPlan& plan,
                                std::span<const BenchRun* const> runs);
 
 /// Fills the scene from its runs and their times, where all are known.
-bool recall_scene(BenchMemory& memory, const BenchPlan& plan, std::span<const KeptRun> runs,
-                  BenchScene& scene);
+bool find_scene(BenchCache& cache, const BenchPlan& plan, std::span<const KeptRun> runs, BenchScene& scene);
 
 /// Scores a run's first frame into its record and keeps it, so that it is not lost while frames are timed.
-void keep_scored(BenchMemory& memory, const Scene& scene, const Frame& frame, const Image& truth,
+void keep_scored(BenchCache& cache, const Scene& scene, const Frame& frame, const Image& truth,
                  SharedTruth& shared, KeptRun& run);
 
 /// Keeps the runs that were timed, failed, or could not be compared, and the times.
-void remember_scene(BenchMemory& memory, const BenchPlan& plan, std::span<KeptRun> runs,
-                    const BenchScene& scene);
+void keep_scene(BenchCache& cache, const BenchPlan& plan, std::span<KeptRun> runs, const BenchScene& scene);
 
 }  // namespace umbrameter

@@ -4,7 +4,7 @@
 
 #include "lab/keys.h"
 #include "lab/scene_run.h"
-#include "store/late_store.h"
+#include "store/lazy_store.h"
 
 #include <filesystem>
 #include <set>
@@ -13,45 +13,46 @@
 
 namespace umbrameter {
 
-class ValidationMemory {
+class ValidationCache {
  public:
   /// Without `reuse` nothing is found, and everything is kept.
-  ValidationMemory(LateStore& store, Makers makers, bool reuse)
+  ValidationCache(LazyStore& store, Makers makers, bool reuse)
       : store_(store), makers_(std::move(makers)), reuse_(reuse) {}
 
   /// Sets what is known of the scene and its runs, and puts their images into `folder`.
-  void recall(const SceneSource& source, const ValidationPlan& plan, const std::filesystem::path& folder,
-              SceneResult& scene, std::vector<TechniqueFrame>& runs);
+  void find_results(const SceneSource& source, const ValidationPlan& plan,
+                    const std::filesystem::path& folder, SceneResult& scene,
+                    std::vector<TechniqueFrame>& runs);
   // What follows keeps what was not known, whose images lie in `folder`; they become links to what is kept. A second
   // time, and without the thing, it does nothing. So all of it may be called as soon as the thing is there: killed at any
   // moment, a validation goes on from there.
-  void remember_truth(const SceneSource& source, const ValidationPlan& plan,
-                      const std::filesystem::path& folder, const SceneResult& scene);
-  void remember_parity(const SceneSource& source, const ValidationPlan& plan,
-                       const std::filesystem::path& folder, const SceneResult& scene);
+  void keep_truth(const SceneSource& source, const ValidationPlan& plan, const std::filesystem::path& folder,
+                  const SceneResult& scene);
+  void keep_parity(const SceneSource& source, const ValidationPlan& plan, const std::filesystem::path& folder,
+                   const SceneResult& scene);
   /// Runs that were not compared and failures that may pass are not kept.
-  void remember_run(const SceneSource& source, const ValidationPlan& plan,
-                    const std::filesystem::path& folder, const SceneResult& scene, const TechniqueFrame& run);
+  void keep_run(const SceneSource& source, const ValidationPlan& plan, const std::filesystem::path& folder,
+                const SceneResult& scene, const TechniqueFrame& run);
 
   /// Whether the verdict on `run` was known; then it is set.
-  bool recall_verdict(const TechniqueFrame& baseline, TechniqueFrame& run);
-  void remember_verdict(const TechniqueFrame& baseline, const TechniqueFrame& run);
+  bool find_verdict(const TechniqueFrame& baseline, TechniqueFrame& run);
+  void keep_verdict(const TechniqueFrame& baseline, const TechniqueFrame& run);
 
   /// Sets the causes of `run`, one of the scene's `runs`, where they are known, or that they were too dear where the plan asks
   /// for no more than that.
-  void recall_causes(const ValidationPlan& plan, TechniqueFrame& run, std::span<const TechniqueFrame> runs);
+  void find_causes(const ValidationPlan& plan, TechniqueFrame& run, std::span<const TechniqueFrame> runs);
   /// Does nothing for a run without causes.
-  void remember_causes(const TechniqueFrame& run, std::span<const TechniqueFrame> runs);
+  void keep_causes(const TechniqueFrame& run, std::span<const TechniqueFrame> runs);
 
   /// Whether the light is known to reach nothing in the picture.
   bool is_unlit(const SceneSource& source, const ValidationPlan& plan);
-  void remember_unlit(const SceneSource& source, const ValidationPlan& plan);
+  void keep_unlit(const SceneSource& source, const ValidationPlan& plan);
 
  private:
   std::optional<std::string> find(const std::string& key);
   std::string reference_of(const SceneSource& source, const ValidationPlan& plan) const;
 
-  LateStore& store_;
+  LazyStore& store_;
   Makers makers_;
   bool reuse_;
   std::set<std::string> kept_;  // keys of the scene recalled last that need not be put again
