@@ -146,8 +146,7 @@ class GlRenderer final : public Renderer {
     const Scene& drawn = local ? local->scene : scene;
     const auto run = make_run(drawn, request, Use::inspected);
     draw_first(*run, drawn, request, progress);
-    run->plan.targets->allocate(part.resource);  // which no pass may have drawn into
-    return read_layer(find_part(run->technique, *run->plan.targets, part), part.layer, part.level);
+    return read_part(run->technique, *run->plan.targets, part);
   }
 
   std::optional<Image> maps(const Scene& scene, const RenderRequest& request) {

@@ -17,7 +17,7 @@ void hash_state(Hasher& hasher, const PassDeclaration& pass, const WritePlace& p
   hasher.number(static_cast<double>(state.blend)).number(state.depth_clamp ? 1.0 : 0.0);
   hasher.number(state.clip_distances).number(state.clear ? 1.0 : 0.0);
   if (state.clear) hasher.number(static_cast<double>(state.clear->size())).values(std::span(*state.clear));
-  hasher.number(place.level).number(place.layer);
+  hasher.number(place.level).number(place.layer).number(pass.overwrites ? 1.0 : 0.0);
   for (const BlendFactor factor : state.blend_factors) hasher.number(static_cast<double>(factor));
   for (const bool writes : state.writes_channel) hasher.number(writes ? 1.0 : 0.0);
   hasher.number(state.depth_test ? static_cast<double>(*state.depth_test) : -1.0);
@@ -50,6 +50,7 @@ class Contents {
     for (const std::string& name : builtin_reads()) now_[name] = picture_key;
     declare(std::string(kVisibility));
     for (const ResourceDeclaration& resource : inputs.technique.resources) declare(resource.name);
+    for (const BufferDeclaration& buffer : inputs.technique.buffers) declare_buffer(buffer.name);
   }
 
   RunContents find() {
@@ -72,6 +73,12 @@ class Contents {
     now_[name] = hasher.hex();
   }
 
+  void declare_buffer(const std::string& name) {
+    const BufferTarget* target = plan_.targets->buffers().find(name);
+    if (target == nullptr) return;
+    now_[name] = Hasher().text(target->element->glsl).number(static_cast<double>(target->count)).hex();
+  }
+
   /// Empty for what is neither a resource of the technique nor known to be the picture's.
   std::string content_of(const std::string& name) const {
     const auto found = now_.find(name);
@@ -83,7 +90,7 @@ class Contents {
     const PassDeclaration& pass = *plan_.passes[step.pass].declaration;
     StepUse use{index, {}, {}};
     for (const std::string& name : pass.reads) {
-      if (plan_.targets->find(name) != nullptr) use.reads.push_back({name, content_of(name)});
+      if (plan_.targets->has(name)) use.reads.push_back({name, content_of(name)});
     }
     for (const std::string& name : pass.writes) use.writes.push_back({name, content_of(name)});
     const std::string key = key_of(step, use);
@@ -99,6 +106,7 @@ class Contents {
     hasher.text(picture_key_);
     hash_state(hasher, *pass.declaration, pass.place);
     hasher.number(step.polygon_offset[0]).number(step.polygon_offset[1]).number(step.vertices);
+    for (const GLuint groups : step.groups) hasher.number(groups);
     for (const auto& program : {pass.program, pass.cutout_program}) {
       if (program == nullptr) continue;
       if (!knows_samplers(*program, *pass.declaration)) return {};
@@ -118,15 +126,19 @@ class Contents {
         hasher.text(texture.name).text(texture.content);
       }
     }
-    for (const TextureUse& read : use.reads)
-      hash_sampler(hasher, plan_.targets->find(read.name)->sampler.settings());
+    for (const TextureUse& read : use.reads) {
+      const Target* texture = plan_.targets->find(read.name);
+      if (texture != nullptr) hash_sampler(hasher, texture->sampler.settings());
+    }
     return hasher.hex();
   }
 
-  /// Whether all that it samples is declared: of what else is bound nobody knows where it comes from.
+  /// Whether all that it samples or stores into is declared: of what else is bound nobody knows where it comes from.
   static bool knows_samplers(const Program& program, const PassDeclaration& pass) {
     return std::ranges::all_of(program.samplers(), [&](const std::string& sampler) {
-      return std::ranges::find(pass.reads, sampler, glsl_name) != pass.reads.end();
+      const auto is_image = [&](const std::string& write) { return sampler == "out_" + write; };
+      return std::ranges::find(pass.reads, sampler, glsl_name) != pass.reads.end() ||
+             (pass.kind == PassKind::compute && std::ranges::any_of(pass.writes, is_image));
     });
   }
 

@@ -10,7 +10,7 @@
 
 namespace umbrameter {
 
-/// A texture that a step reads, draws into or blends with, and the key of what it holds just before.
+/// A texture or buffer that a step reads, draws into or blends with, and the key of what it holds just before.
 struct TextureUse {
   std::string name;
   std::string content;  // empty: not known

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "realtime/executor/execute.h"
 
+#include "realtime/executor/compute.h"
 #include "realtime/executor/pass_state.h"
 #include "realtime/harness/context.h"
 #include "realtime/harness/draw.h"
@@ -82,6 +83,22 @@ void draw_pulled(const PreparedPass& pass, const Step& step, const SceneBuffers&
   set_clip_distances(pass.declaration->state, false);
 }
 
+/// The program and all that its shaders read.
+void bind_inputs(const Plan& plan, const Step& step) {
+  const PreparedPass& pass = plan.passes[step.pass];
+  pass.program->use();
+  for (const BoundTexture& bound : pass.textures) bind_texture(bound.unit, *bound.texture, *bound.sampler);
+  for (const BoundBuffer& bound : pass.buffers) bind_storage_buffer(bound.binding, *bound.buffer);
+  for (const UniformRange& range : step.uniforms) bind_range(plan.uniforms, range);
+}
+
+void run_compute(const Plan& plan, const Step& step) {
+  const PreparedPass& pass = plan.passes[step.pass];
+  clear_written(pass);
+  bind_inputs(plan, step);
+  dispatch(pass, step.groups);
+}
+
 void draw_pass(const Plan& plan, const Step& step, const SceneBuffers& scene_buffers,
                const VertexArray& empty_vertex_array) {
   const PreparedPass& pass = plan.passes[step.pass];
@@ -91,9 +108,7 @@ void draw_pass(const Plan& plan, const Step& step, const SceneBuffers& scene_buf
   if (declaration.state.clear) clear_targets(pass, *declaration.state.clear);
   if (declaration.state.clear_stencil) clear_stencil(pass, *declaration.state.clear_stencil);
   set_pass_state(declaration, step);
-  pass.program->use();
-  for (const BoundTexture& bound : pass.textures) bind_texture(bound.unit, *bound.texture, *bound.sampler);
-  for (const UniformRange& range : step.uniforms) bind_range(plan.uniforms, range);
+  bind_inputs(plan, step);
   if (step.vertices > 0) {
     draw_pulled(pass, step, scene_buffers);
   } else if (declaration.kind == PassKind::scene) {
@@ -126,8 +141,20 @@ void draw_step(const Plan& plan, const Step& step, const SceneBuffers& scene_buf
                const VertexArray& empty_vertex_array) {
   const PreparedPass& pass = plan.passes[step.pass];
   const DebugGroup group(pass.declaration->id);
-  if (pass.declaration->kind != PassKind::mipmap) draw_pass(plan, step, scene_buffers, empty_vertex_array);
-  for (const Texture* texture : pass.mipmaps) glGenerateTextureMipmap(texture->id());
+  if (step.barriers != 0) glMemoryBarrier(step.barriers);
+  switch (pass.declaration->kind) {
+    case PassKind::scene:
+    case PassKind::fullscreen:
+      return draw_pass(plan, step, scene_buffers, empty_vertex_array);
+    case PassKind::compute:
+      return run_compute(plan, step);
+    case PassKind::mipmap:
+      for (const Texture* texture : pass.mipmaps) glGenerateTextureMipmap(texture->id());
+      return;
+    case PassKind::loop:
+      break;
+  }
+  UMBRAMETER_ASSERT(false, "pass '{}' is a loop, which plans unroll", pass.declaration->id);
 }
 
 /// GL runs behind the calls: waiting now and then keeps the progress honest.
@@ -166,6 +193,7 @@ void draw_frame(const Plan& plan, const SceneBuffers& scene_buffers, const Verte
     draw_step(plan, plan.steps[i], scene_buffers, empty_vertex_array);
     if (watch.progress != nullptr) report_step(plan, i, *watch.progress);
   }
+  if (plan.last_barriers != 0) glMemoryBarrier(plan.last_barriers);
   if (running != kNone) watch.timers->end();
 }
 

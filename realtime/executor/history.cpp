@@ -29,6 +29,26 @@ void take(Plan& next, const ResourceDeclaration& resource, const std::string& na
   next.targets->replace(name, texture);
 }
 
+void take_buffer(Plan& next, const BufferDeclaration& declared, const std::string& name,
+                 const BufferTarget* from) {
+  const BufferTarget* own = next.targets->buffers().find(name);
+  if (own == nullptr || from == nullptr || from->buffer == nullptr) return;
+  if (own->count != from->count)
+    fail_input(fmt::format("buffer '{}' has {} elements in one frame and {} in the next", declared.name,
+                           from->count, own->count),
+               declared.where, "a technique with history keeps the sizes of its buffers");
+  next.targets->buffers().replace(name, from->buffer);
+}
+
+void hand_over_buffers(const Technique& technique, const BufferTargets& earlier, Plan& next) {
+  for (const BufferDeclaration& declared : technique.buffers) {
+    const BufferTarget* current = earlier.find(declared.name);
+    const BufferTarget* before = earlier.find(previous_of(declared.name));
+    take_buffer(next, declared, declared.name, before == nullptr ? current : before);
+    if (before != nullptr) take_buffer(next, declared, previous_of(declared.name), current);
+  }
+}
+
 }  // namespace
 
 void hand_over(const Technique& technique, const Plan& earlier, Plan& next) {
@@ -38,6 +58,7 @@ void hand_over(const Technique& technique, const Plan& earlier, Plan& next) {
     take(next, resource, resource.name, before == nullptr ? current : before);
     if (before != nullptr) take(next, resource, previous_of(resource.name), current);
   }
+  hand_over_buffers(technique, earlier.targets->buffers(), next);
 }
 
 void keep_unchanged(const RunContents& earlier, const RunContents& contents, Plan& next) {
@@ -57,6 +78,10 @@ void clear_previous(const Technique& technique, const Plan& first) {
   for (const ResourceDeclaration& resource : technique.resources) {
     const auto texture = first.targets->share(previous_of(resource.name));
     if (texture != nullptr && texture->id() != 0) clear_texture(*texture, std::array{0.0});
+  }
+  for (const BufferDeclaration& declared : technique.buffers) {
+    const BufferTarget* target = first.targets->buffers().find(previous_of(declared.name));
+    if (target != nullptr && target->buffer != nullptr) clear_buffer(*target, std::array{0.0});
   }
 }
 

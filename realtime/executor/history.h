@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// What a frame finds of the one before it: its textures, under "previous.<name>" where passes read them so.
+// What a frame finds of the one before it: its textures and buffers, under "previous.<name>" where passes read them so.
 
 #include "realtime/executor/contents.h"
 

@@ -2,6 +2,7 @@
 #include "realtime/executor/inspect_plan.h"
 
 #include "core/names.h"
+#include "realtime/harness/readback.h"
 #include "realtime/manifest/names.h"
 
 #include <algorithm>
@@ -13,15 +14,22 @@ namespace {
   std::vector<std::string> known(builtin_reads().begin(), builtin_reads().end());
   known.emplace_back(kVisibility);
   for (const ResourceDeclaration& declared : technique.resources) known.push_back(declared.name);
+  for (const BufferDeclaration& declared : technique.buffers) known.push_back(declared.name);
   if (std::ranges::find(known, resource) == known.end()) {
-    fail_input(fmt::format("technique '{}' has no texture '{}'", technique.id, resource), {},
+    fail_input(fmt::format("technique '{}' has no texture or buffer '{}'", technique.id, resource), {},
                suggest_name(resource, known));
   }
   fail_input(fmt::format("technique '{}' has no texture '{}' with these parameters", technique.id, resource),
              {}, "its condition does not hold");
 }
 
-}  // namespace
+Image read_buffer_part(const BufferTarget& target, const ResourcePart& part) {
+  if (part.layer != 0 || part.level != 0)
+    fail_input(
+        fmt::format("buffer '{}' has no layer {} with a level {}", part.resource, part.layer, part.level), {},
+        "name it alone: a buffer has neither layers nor levels");
+  return read_elements(target);
+}
 
 const Texture& find_part(const Technique& technique, const Targets& targets, const ResourcePart& part) {
   const Target* target = targets.find(part.resource);
@@ -34,6 +42,15 @@ const Texture& find_part(const Technique& technique, const Targets& targets, con
   fail_input(
       fmt::format("texture '{}' has no layer {} with a level {}", part.resource, part.layer, part.level), {},
       fmt::format("layers 0 to {}, levels 0 to {}", texture.layers() - 1, texture.levels() - 1));
+}
+
+}  // namespace
+
+Image read_part(const Technique& technique, Targets& targets, const ResourcePart& part) {
+  targets.allocate(part.resource);
+  if (const BufferTarget* buffer = targets.buffers().find(part.resource))
+    return read_buffer_part(*buffer, part);
+  return read_layer(find_part(technique, targets, part), part.layer, part.level);
 }
 
 std::vector<std::string> drawn_passes(const Plan& plan) {

@@ -9,8 +9,9 @@
 
 namespace umbrameter {
 
-/// Error{input} for a texture that the run does not have or that cannot be read, or a layer or level it has not.
-const Texture& find_part(const Technique& technique, const Targets& targets, const ResourcePart& part);
+/// What a texture's layer and level or a buffer holds. Error{input} for one that the run does not have or that cannot be
+/// read, or a layer or level it has not. What no pass has drawn into gets memory first.
+Image read_part(const Technique& technique, Targets& targets, const ResourcePart& part);
 
 /// Ids of a plan's passes, each once, in their order.
 std::vector<std::string> drawn_passes(const Plan& plan);

@@ -44,6 +44,12 @@ std::vector<std::string> left_out(const RunInputs& inputs, const Plan& plan) {
     names.push_back(
         fmt::format("texture {} ({:.2f} MiB)", resource.name, bytes_of(resource, variables) / kMiB));
   }
+  for (const BufferDeclaration& buffer : inputs.technique.buffers) {
+    if (plan.targets->buffers().find(buffer.name) != nullptr) continue;
+    const double count = std::max(buffer.count.evaluate(variables), 0.0);
+    names.push_back(fmt::format("buffer {} ({:.2f} MiB)", buffer.name,
+                                count * static_cast<double>(buffer.element->bytes()) / kMiB));
+  }
   if (plan.culled_triangles > 0) {
     names.push_back(fmt::format(
         "{:.3g} % of {} triangles drawn into maps (outside them)",

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "realtime/executor/plan.h"
 
+#include "realtime/executor/barriers.h"
+#include "realtime/executor/compute.h"
 #include "realtime/executor/prelude.h"
 #include "realtime/harness/frame_uniforms.h"
 #include "realtime/manifest/names.h"
@@ -114,6 +116,7 @@ class Planner {
         step.polygon_offset[k] = static_cast<float>((*offset)[k].evaluate(variables_));
     }
     step.vertices = vertices_of(pass);
+    if (pass.kind == PassKind::compute) step.groups = group_counts(pass, variables_);
     add_loop_block(step);
     GLuint binding = kFirstViewBinding;
     for (const std::string& name : pass_views(pass)) {
@@ -276,6 +279,7 @@ void attach(Plan& plan) {
   for (size_t i = 0; i < is_drawn.size(); ++i) {
     if (is_drawn[i]) attach_pass(plan.passes[i], *plan.targets);
   }
+  place_barriers(plan);
 }
 
 }  // namespace umbrameter

@@ -26,6 +26,8 @@ struct Step {
   std::vector<UniformRange> uniforms;
   bool mirrors = false;
   std::array<float, 2> polygon_offset{};       // factor, units
+  std::array<GLuint, 3> groups{};              // of a compute pass
+  GLbitfield barriers = 0;                     // before it
   int vertices = 0;                            // that each triangle is drawn with and pulls; 0: its own three
   std::shared_ptr<const IndexRanges> casters;  // of a scene pass; none: every triangle
   std::shared_ptr<const InstanceSelection> instances;  // of a scene pass; none: all of them
@@ -36,6 +38,7 @@ struct Plan {
   std::unique_ptr<Targets> targets;
   std::vector<PreparedPass> passes;
   std::vector<Step> steps;
+  GLbitfield last_barriers = 0;              // after a frame
   std::vector<std::string> labels;           // of timers
   std::vector<UniformRange> frame_uniforms;  // the first is FrameData's
   std::optional<UniformRange> history_uniforms;

@@ -2,6 +2,7 @@
 #include "realtime/executor/prelude.h"
 
 #include "realtime/executor/blocker_truth.h"
+#include "realtime/executor/buffer_targets.h"
 #include "realtime/harness/frame_uniforms.h"
 #include "realtime/harness/objects.h"
 #include "realtime/manifest/names.h"
@@ -120,6 +121,22 @@ std::string samplers(const PreludeInputs& inputs) {
   return text;
 }
 
+/// What a pass reads it cannot change.
+std::string buffer_blocks(const PreludeInputs& inputs) {
+  std::string text;
+  if (inputs.buffers == nullptr) return text;
+  for (const BufferSlot& slot : buffer_slots(inputs.pass, *inputs.buffers)) {
+    const std::string name = glsl_name(slot.name);
+    const std::string_view access = !slot.is_written         ? "readonly "
+                                    : inputs.pass.overwrites ? "writeonly "
+                                                             : "";
+    text += fmt::format("layout(std430, binding = {0}) restrict {1}buffer Buffer_{2} {{ {3} {2}[]; }};\n",
+                        slot.binding, access, name, inputs.buffers->find(slot.name)->element->glsl);
+    text += fmt::format("#define {0}_count {0}.length()\n", name);
+  }
+  return text;
+}
+
 std::string_view output_type(const TextureFormat& format) {
   if (format.is_integer) return format.components == 1 ? "uint" : "uvec2";
   if (format.components == 1) return "float";
@@ -137,6 +154,22 @@ std::string outputs(const PreludeInputs& inputs) {
   return text;
 }
 
+/// What a compute pass writes of a texture, all its layers; texels in the resource's own format.
+std::string images(const PreludeInputs& inputs) {
+  std::string text;
+  int unit = 0;
+  for (const std::string& write : inputs.pass.writes) {
+    const TextureFormat* format = inputs.format_of(write);
+    if (format == nullptr) continue;
+    const ResourceDeclaration* resource = declared_resource(inputs.technique, write);
+    text +=
+        fmt::format("layout(binding = {}, {}) uniform restrict {}{}image{} out_{};\n", unit++, format->name,
+                    inputs.pass.overwrites ? "writeonly " : "", format->is_integer ? "u" : "",
+                    dimensions(resource == nullptr ? TextureKind::flat : resource->kind), write);
+  }
+  return text;
+}
+
 std::string blocker_truth(const PreludeInputs& inputs) {
   if (!inputs.takes_blocker_truth) return {};
   return fmt::format("#define BLOCKER_FROM_TRUTH\nlayout(binding = {}) uniform sampler2D blocker_truth;\n",
@@ -147,11 +180,25 @@ std::string blocker_truth(const PreludeInputs& inputs) {
 
 std::string vertex_prelude(const PreludeInputs& inputs) {
   return defines(inputs.technique, inputs.values) + std::string(kFrameBlockGlsl) + uniform_blocks(inputs) +
-         view_blocks(inputs) + samplers(inputs);
+         view_blocks(inputs) + samplers(inputs) + buffer_blocks(inputs);
 }
 
 std::string fragment_prelude(const PreludeInputs& inputs) {
   return vertex_prelude(inputs) + outputs(inputs) + blocker_truth(inputs);
+}
+
+std::string compute_prelude(const PreludeInputs& inputs) {
+  return vertex_prelude(inputs) + images(inputs);
+}
+
+std::vector<BufferSlot> buffer_slots(const PassDeclaration& pass, const BufferTargets& buffers) {
+  std::vector<BufferSlot> slots;
+  unsigned binding = kFirstStorageBinding;
+  for (const std::string& name : pass.reads)
+    if (buffers.find(name) != nullptr) slots.push_back({name, binding++, false});
+  for (const std::string& name : pass.writes)
+    if (buffers.find(name) != nullptr) slots.push_back({name, binding++, true});
+  return slots;
 }
 
 std::vector<std::string> pass_views(const PassDeclaration& pass) {

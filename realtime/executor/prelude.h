@@ -14,12 +14,26 @@
 namespace umbrameter {
 
 struct TextureFormat;  // realtime/harness/objects.h
+class BufferTargets;   // realtime/executor/buffer_targets.h
 
 /// Uniform buffer bindings of the prelude's blocks, after kFrameBinding of realtime/harness/frame_uniforms.h.
 inline constexpr unsigned kParameterBinding = 1;
 inline constexpr unsigned kLoopBinding = 2;
 inline constexpr unsigned kFirstViewBinding = 3;
 inline constexpr unsigned kHistoryBinding = 35;  // the last of the 36 that every GL has
+
+/// Storage bindings of a pass's buffers, after those of the scene (realtime/harness/scene_buffers.h). Pass by pass: GL promises 8.
+inline constexpr unsigned kFirstStorageBinding = 5;
+
+/// A storage buffer as a pass's shaders see it.
+struct BufferSlot {
+  std::string name;
+  unsigned binding = 0;
+  bool is_written = false;
+};
+
+/// The buffers of a pass that the run has: what it reads, then what it writes.
+std::vector<BufferSlot> buffer_slots(const PassDeclaration& pass, const BufferTargets& buffers);
 
 struct PreludeInputs {
   const Technique& technique;
@@ -29,12 +43,15 @@ struct PreludeInputs {
   std::map<std::string, size_t> view_counts;  // of the views in pass.views
   /// Format of a resource or built-in that exists in this run, else null.
   std::function<const TextureFormat*(const std::string&)> format_of;
-  bool takes_blocker_truth = false;  // realtime/executor/blocker_truth.h
+  const BufferTargets* buffers = nullptr;  // none: the run has no buffers
+  bool takes_blocker_truth = false;        // realtime/executor/blocker_truth.h
 };
 
 /// Before a vertex shader, and (with the outputs) before a fragment shader.
 std::string vertex_prelude(const PreludeInputs& inputs);
 std::string fragment_prelude(const PreludeInputs& inputs);
+/// Before a compute shader: with images instead of outputs.
+std::string compute_prelude(const PreludeInputs& inputs);
 
 /// The views whose blocks the pass sees: `views`, then `view` unless listed. Block k is at kFirstViewBinding
 /// + k.

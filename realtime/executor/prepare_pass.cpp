@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "realtime/executor/prepare_pass.h"
 
+#include "realtime/executor/compute.h"
+#include "realtime/executor/pass_parts.h"
 #include "realtime/executor/prelude.h"
 #include "realtime/harness/placed_vertices.h"
 #include "realtime/manifest/names.h"
@@ -11,13 +13,6 @@
 namespace umbrameter {
 namespace {
 
-const Target& written_target(const PassDeclaration& pass, const std::string& name, const Targets& targets) {
-  const Target* target = targets.find(name);
-  if (target != nullptr) return *target;
-  fail_input(fmt::format("pass '{}' writes '{}', whose condition does not hold", pass.id, name), pass.where,
-             "give the pass the same condition");
-}
-
 void require_equal_shapes(const PassDeclaration& pass, const WritePlace& place, const Targets& targets) {
   const Texture& first = written_target(pass, pass.writes.front(), targets).drawn();
   const auto shape = [](const Texture& texture) {
@@ -25,16 +20,7 @@ void require_equal_shapes(const PassDeclaration& pass, const WritePlace& place, 
   };
   for (const std::string& name : pass.writes) {
     const Texture& texture = written_target(pass, name, targets).drawn();
-    if (place.level >= texture.levels()) {
-      fail_input(fmt::format("pass '{}' writes level {} of '{}', which has {}", pass.id, place.level, name,
-                             texture.levels()),
-                 pass.where, "give the resource more 'levels'");
-    }
-    if (texture.kind() != TextureKind::flat && place.layer >= texture.layers()) {
-      fail_input(fmt::format("pass '{}' writes layer {} of '{}', which has {}", pass.id, place.layer, name,
-                             texture.layers()),
-                 pass.where, "layers are counted from 0");
-    }
+    require_place(pass, place, name, texture);
     if (shape(texture) == shape(first)) continue;
     fail_input(fmt::format("pass '{}' writes targets of different size: '{}' is {}, '{}' {}", pass.id,
                            pass.writes.front(), shape(first), name, shape(texture)),
@@ -51,18 +37,6 @@ void note_formats(PreparedPass& prepared, const PassDeclaration& pass, const Tar
     } else {
       prepared.color_formats.push_back(&format);
     }
-  }
-}
-
-void require_readable(const PreparedPass& prepared, const PassDeclaration& pass, const Targets& targets) {
-  for (const std::string& name : pass.reads) {
-    const Target* target = targets.find(name);
-    if (target == nullptr) continue;
-    if (target->texture->samples() > 1)
-      fail_input(fmt::format("pass '{}' reads '{}', a multisampled depth", pass.id, name), pass.where);
-    if (prepared.place.level > 0 || std::ranges::find(pass.writes, name) == pass.writes.end()) continue;
-    fail_input(fmt::format("pass '{}' reads '{}' below level 0", pass.id, name), pass.where,
-               "begin with write_level 1");
   }
 }
 
@@ -84,15 +58,6 @@ void attach_targets(PreparedPass& prepared, const Targets& targets) {
   }
   prepared.framebuffer = Framebuffer(colors, depth, prepared.place.level, prepared.place.layer);
   label_object(GL_FRAMEBUFFER, prepared.framebuffer.id(), pass.id);
-}
-
-/// What a pass reads and writes it sees one level below the one it writes.
-const Texture* read_texture_of(PreparedPass& prepared, const std::string& name, const Target& target) {
-  const std::vector<std::string>& writes = prepared.declaration->writes;
-  if (std::ranges::find(writes, name) == writes.end()) return target.texture;
-  prepared.level_views.push_back(
-      std::make_unique<Texture>(Texture::view_of_level(*target.texture, prepared.place.level - 1)));
-  return prepared.level_views.back().get();
 }
 
 std::filesystem::path vertex_file(const PassDeclaration& pass, const RunInputs& inputs) {
@@ -118,12 +83,7 @@ std::string pulled_prelude(int vertices, bool has_holes, bool are_instances) {
 std::shared_ptr<const Program> compile(const PassDeclaration& pass, const std::filesystem::path& vertex,
                                        const RunInputs& inputs, const Targets& targets,
                                        const PassSurroundings& around, Drawn drawn, ProgramCache& programs) {
-  PreludeInputs prelude{inputs.technique, inputs.values, pass, around.loop_variables, around.view_counts, {}};
-  prelude.format_of = [&targets](const std::string& name) {
-    const Target* target = targets.find(name);
-    return target == nullptr ? nullptr : &target->texture->format();
-  };
-  prelude.takes_blocker_truth = inputs.takes_blocker_truth;
+  const PreludeInputs prelude = prelude_inputs(pass, inputs, targets, around);
   if (around.vertices > 0) {
     const std::string pulled = pulled_prelude(around.vertices, drawn.has_holes, drawn.are_instances);
     std::vector<ShaderFile> stages = {{ShaderStage::vertex, vertex, vertex_prelude(prelude) + pulled}};
@@ -160,8 +120,9 @@ PreparedPass prepare_pass(const PassDeclaration& pass, const WritePlace& place, 
     for (const std::string& name : pass.writes) written_target(pass, name, targets);
     return prepared;
   }
+  if (pass.kind == PassKind::compute) return prepare_compute(pass, place, inputs, targets, around, programs);
   note_formats(prepared, pass, targets);
-  require_readable(prepared, pass, targets);
+  require_readable(prepared, targets);
   const std::filesystem::path vertex = vertex_file(pass, inputs);
   const bool pulls = around.vertices > 0;
   const bool pulls_holes = pulls && inputs.scene_buffers.cutouts() != nullptr;
@@ -191,13 +152,9 @@ void attach_pass(PreparedPass& prepared, const Targets& targets) {
       prepared.mipmaps.push_back(written_target(pass, name, targets).texture);
     return;
   }
+  if (pass.kind == PassKind::compute) return attach_compute(prepared, targets);
   attach_targets(prepared, targets);
-  for (size_t unit = 0; unit < pass.reads.size(); ++unit) {
-    const Target* target = targets.find(pass.reads[unit]);
-    if (target == nullptr) continue;
-    prepared.textures.push_back(
-        {static_cast<GLuint>(unit), read_texture_of(prepared, pass.reads[unit], *target), &target->sampler});
-  }
+  take_reads(prepared, targets);
 }
 
 }  // namespace umbrameter

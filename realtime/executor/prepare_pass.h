@@ -19,6 +19,18 @@ struct BoundTexture {
   const Sampler* sampler = nullptr;
 };
 
+/// A storage buffer as a pass binds it.
+struct BoundBuffer {
+  GLuint binding = 0;
+  const Buffer* buffer = nullptr;
+};
+
+/// A level of a texture, all its layers, as a compute pass stores into it.
+struct BoundImage {
+  GLuint unit = 0;
+  const Texture* texture = nullptr;
+};
+
 /// A multisampled target and the texture that takes its mean.
 struct Resolve {
   Framebuffer from, to;
@@ -46,6 +58,9 @@ struct PreparedPass {
   /// triangle it is: what the view clips may be left out.
   bool may_cull_casters = false;
   std::vector<BoundTexture> textures;
+  std::vector<BoundBuffer> buffers;
+  std::vector<BoundImage> images;
+  std::vector<BufferTarget> written_buffers;          // of a compute pass
   std::vector<std::unique_ptr<Texture>> level_views;  // of textures that are written too
   std::vector<Resolve> resolves;                      // after drawing
   std::vector<const Texture*> mipmaps;                // textures whose further levels a mipmap pass makes

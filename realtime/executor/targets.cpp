@@ -47,7 +47,8 @@ int layer_count(const ResourceDeclaration& resource, const ExpressionVariables& 
 
 Targets::Targets(const RunInputs& inputs, const ExpressionVariables& variables)
     : visibility_(find_texture_format("r32f"), inputs.gbuffer.width(), inputs.gbuffer.height(),
-                  std::string(kVisibility)) {
+                  std::string(kVisibility)),
+      buffers_(inputs, variables) {
   const auto add_screen = [this](const std::string& name, const Texture& texture) {
     targets_[name] = {&texture, Sampler({.wrap = TextureWrap::clamp}), nullptr};
   };
@@ -110,7 +111,7 @@ const Target* Targets::find(const std::string& name) const {
 }
 
 size_t Targets::declared_bytes() const {
-  size_t bytes = 0;
+  size_t bytes = buffers_.bytes();
   for (const auto* textures : {&owned_, &multisampled_}) {
     for (const auto& [name, texture] : *textures) bytes += texture->bytes();
   }
@@ -118,6 +119,7 @@ size_t Targets::declared_bytes() const {
 }
 
 void Targets::allocate(const std::string& name) {
+  buffers_.allocate(name);
   const auto target = targets_.find(name);
   if (target == targets_.end()) return;
   for (auto* textures : {&owned_, &multisampled_}) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The textures a run reads and writes: those resources whose condition holds, `visibility`, and the G-buffer.
+// The textures and buffers a run reads and writes: those resources whose condition holds, `visibility`, and the G-buffer.
 
-#include "realtime/executor/run_inputs.h"
+#include "realtime/executor/buffer_targets.h"
 
 #include <map>
 #include <memory>
@@ -26,6 +26,11 @@ class Targets {
 
   /// Null when the run leaves the resource out. What a frame before held has names of its own, "previous.<name>".
   const Target* find(const std::string& name) const;
+  /// Whether the run has a texture or a buffer of this name.
+  bool has(const std::string& name) const { return find(name) != nullptr || buffers_.find(name) != nullptr; }
+  /// The storage buffers, under names of the same kind.
+  BufferTargets& buffers() { return buffers_; }
+  const BufferTargets& buffers() const { return buffers_; }
   const Texture& visibility() const { return visibility_; }
   /// Of the technique's own resources.
   size_t declared_bytes() const;
@@ -41,6 +46,7 @@ class Targets {
                     const ExpressionVariables& variables);
 
   Texture visibility_;
+  BufferTargets buffers_;
   using Textures = std::map<std::string, std::shared_ptr<const Texture>, std::less<>>;
   Textures owned_;
   Textures multisampled_;

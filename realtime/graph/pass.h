@@ -15,7 +15,8 @@ enum class PassKind {
   scene,       // every triangle
   fullscreen,  // one triangle over the target
   mipmap,      // the further levels of what it writes
-  loop         // its own passes, again and again
+  loop,        // its own passes, again and again
+  compute      // groups of threads
 };
 enum class CullMode { none, back, front };
 enum class BlendMode { none, add, min, max };
@@ -80,6 +81,9 @@ struct PassDeclaration {
   Expression view_index;         // which member when that is a family of views
   std::string vertex, fragment;  // files in the folder or in shaders/; scene passes may leave fragment empty
   Expression vertices;  // scene: that each triangle is drawn with, without attributes; empty: its own three
+  std::string compute;  // compute: the shader's file
+  std::vector<Expression> groups;   // compute: along x, y, z; 1 to 3 of them, the rest 1
+  bool overwrites = false;          // compute: writes every element and texel, and reads none of them
   std::vector<std::string> reads;   // resource names or built-ins (gbuffer.position, ...)
   std::vector<std::string> writes;  // resource names, or "visibility"
   std::vector<std::string> views;   // views whose block the shaders see

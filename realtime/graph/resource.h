@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// `[[resource]]`: a texture that passes write and read.
+// `[[resource]]`: a texture that passes write and read. Buffers: realtime/graph/buffer.h.
 
 #include "realtime/graph/expression.h"
 #include "realtime/graph/texture.h"

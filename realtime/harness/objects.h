@@ -114,7 +114,9 @@ int level_side(int side, int level);
 /// Levels of a full chain down to one texel.
 int full_chain_levels(int width, int height);
 
-/// Sets every texel; values beyond `value.size()` repeat its last one.
+/// Sets every texel of a level, all its layers; values beyond `value.size()` repeat its last one.
+void clear_level(const Texture& texture, int level, std::span<const double> value);
+/// The same of all levels.
 void clear_texture(const Texture& texture, std::span<const double> value);
 
 struct SamplerSettings {

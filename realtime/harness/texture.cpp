@@ -174,7 +174,7 @@ Texture Texture::view_of_level(const Texture& texture, int level) {
   return view;
 }
 
-void clear_texture(const Texture& texture, std::span<const double> value) {
+void clear_level(const Texture& texture, int level, std::span<const double> value) {
   UMBRAMETER_ASSERT(!value.empty(), "{} values to clear with", value.size());
   const auto at = [&](size_t i) { return value[std::min(i, value.size() - 1)]; };
   const TextureFormat& format = texture.format();
@@ -183,8 +183,11 @@ void clear_texture(const Texture& texture, std::span<const double> value) {
                                        static_cast<float>(at(2)), static_cast<float>(at(3))};
   const void* texel = floats.data();
   if (format.is_integer) texel = integers.data();
-  for (int level = 0; level < texture.levels(); ++level)
-    glClearTexImage(texture.id(), level, format.format, format.type, texel);
+  glClearTexImage(texture.id(), level, format.format, format.type, texel);
+}
+
+void clear_texture(const Texture& texture, std::span<const double> value) {
+  for (int level = 0; level < texture.levels(); ++level) clear_level(texture, level, value);
 }
 
 }  // namespace umbrameter

@@ -12,58 +12,6 @@ namespace {
 
 using NameSet = std::set<std::string, std::less<>>;
 
-/// Identifiers of the shaders' one namespace, with what each stands for.
-class Identifiers {
- public:
-  void claim(const std::string& identifier, const std::string& what, const FileLocation& where) {
-    const auto [taken, is_new] = owners_.emplace(identifier, what);
-    if (!is_new)
-      fail_input(fmt::format("{} uses the name '{}', which {} has", what, identifier, taken->second), where);
-  }
-
- private:
-  std::map<std::string, std::string> owners_;
-};
-
-void claim_loops(Identifiers& identifiers, const std::vector<PassDeclaration>& passes) {
-  for (const PassDeclaration& pass : passes) {
-    if (pass.kind != PassKind::loop) continue;
-    const std::string what = fmt::format("loop '{}'", pass.id);
-    identifiers.claim(pass.loop_variable, what, pass.where);
-    identifiers.claim(pass.loop_variable + "_count", what, pass.where);
-    claim_loops(identifiers, pass.body);
-  }
-}
-
-void check_identifiers(const Technique& technique) {
-  Identifiers identifiers;
-  for (const std::string& name : builtin_reads()) identifiers.claim(glsl_name(name), "a built-in", {});
-  identifiers.claim(std::string(kVisibility), "a built-in", {});
-  for (const Parameter& parameter : technique.parameters) {
-    identifiers.claim(parameter.name, fmt::format("parameter '{}'", parameter.name), parameter.where);
-  }
-  for (const ResourceDeclaration& resource : technique.resources) {
-    const std::string what = fmt::format("resource '{}'", resource.name);
-    for (const std::string& name : {resource.name, resource.name + "_size", "out_" + resource.name}) {
-      identifiers.claim(name, what, resource.where);
-    }
-    if (resource.kind == TextureKind::array)
-      identifiers.claim(resource.name + "_layers", what, resource.where);
-  }
-  if (technique.has_history()) identifiers.claim("history", "a built-in", {});
-  for (const std::string& name : read_previously(technique.passes)) {
-    const std::string what = fmt::format("the previous '{}'", name);
-    for (const char* suffix : {"", "_size", "_layers"})
-      identifiers.claim(glsl_name(kPrevious) + name + suffix, what, {});
-  }
-  for (const ViewDeclaration& view : technique.views) {
-    const std::string what = fmt::format("view '{}'", view.name);
-    identifiers.claim("view_" + view.name, what, view.where);
-    if (view.is_family()) identifiers.claim(fmt::format("view_{}_count", view.name), what, view.where);
-  }
-  claim_loops(identifiers, technique.passes);
-}
-
 /// The first of a resource's formats. Shaders are written for one kind of texel.
 const TextureFormat& alike_formats(const ResourceDeclaration& resource) {
   const TextureFormat& first = find_texture_format(resource.formats.front(), resource.where);
@@ -88,6 +36,10 @@ class PassChecker {
       if (resource.kind != TextureKind::flat) layered_.insert(resource.name);
       known_writes_.push_back(resource.name);
     }
+    for (const BufferDeclaration& buffer : technique.buffers) {
+      buffers_.insert(buffer.name);
+      known_writes_.push_back(buffer.name);
+    }
     formats_[std::string(kVisibility)] = &find_texture_format("r32f");
     known_writes_.emplace_back(kVisibility);
     known_reads_ = known_writes_;
@@ -106,6 +58,7 @@ class PassChecker {
                  "one pass must list it in 'writes'");
     }
     check_resources();
+    check_buffers();
     check_views();
     check_history();
   }
@@ -194,8 +147,7 @@ class PassChecker {
              suggest_name(name, known_reads_));
       }
       if (!reads.insert(name).second) fail(pass, fmt::format("reads '{}' twice", name));
-      if (std::ranges::find(pass.writes, name) != pass.writes.end() && pass.write_level.is_empty())
-        fail(pass, fmt::format("reads and writes '{}'", name), "only with 'write_level'");
+      check_read_and_written(pass, name);
       if (is_previous(name)) {
         check_previous(pass, name);
         continue;
@@ -206,6 +158,15 @@ class PassChecker {
       }
       read_.insert(name);
     }
+  }
+
+  void check_read_and_written(const PassDeclaration& pass, const std::string& name) const {
+    if (std::ranges::find(pass.writes, name) == pass.writes.end()) return;
+    if (buffers_.contains(name))
+      fail(pass, fmt::format("reads and writes '{}'", name),
+           "leave it out of 'reads': a buffer that a shader writes it sees, too");
+    if (pass.write_level.is_empty())
+      fail(pass, fmt::format("reads and writes '{}'", name), "only with 'write_level'");
   }
 
   void check_previous(const PassDeclaration& pass, const std::string& name) {
@@ -233,7 +194,28 @@ class PassChecker {
     written_once_.insert(pass.writes.begin(), pass.writes.end());
   }
 
+  static bool draws(const PassDeclaration& pass) {
+    return pass.kind == PassKind::scene || pass.kind == PassKind::fullscreen;
+  }
+
+  [[noreturn]] static void fail_buffer(const PassDeclaration& pass, const std::string& name) {
+    fail(pass, fmt::format("writes '{}', which is a buffer", name), "only kind = \"compute\" writes buffers");
+  }
+
+  void check_stored(const PassDeclaration& pass, const std::string& name) const {
+    const auto resource = std::ranges::find(technique_.resources, name, &ResourceDeclaration::name);
+    if (!buffers_.contains(name) && formats_.at(name)->is_depth)
+      fail(pass, fmt::format("stores into '{}' of the format {}", name, formats_.at(name)->name),
+           "no image is of a depth format: take r32f");
+    if (resource != technique_.resources.end() && !resource->samples.is_empty())
+      fail(pass, fmt::format("stores into '{}', which is multisampled", name), "leave out 'samples'");
+    if (pass.state.clear || pass.overwrites || written_.contains(name)) return;
+    fail(pass, fmt::format("stores into '{}' before anything is in it", name),
+         "add 'clear', or 'overwrites = true' where the shader writes all of it and reads none");
+  }
+
   void check_mipmap(const PassDeclaration& pass, const std::string& name) const {
+    if (buffers_.contains(name)) fail_buffer(pass, name);
     if (name == kVisibility || !written_.contains(name))
       fail(pass, fmt::format("makes the levels of '{}' before level 0 is written", name));
     if (formats_.at(name)->is_depth || formats_.at(name)->is_integer)
@@ -255,11 +237,16 @@ class PassChecker {
         check_mipmap(pass, name);
         continue;
       }
+      if (pass.kind == PassKind::compute) {
+        check_stored(pass, name);
+        continue;
+      }
+      if (buffers_.contains(name)) fail_buffer(pass, name);
       (formats_.at(name)->is_depth ? depths : colors) += 1;
       check_contents(pass, name);
     }
-    if (pass.kind != PassKind::mipmap) check_layer(pass);
-    if (pass.kind != PassKind::mipmap) check_state(pass);
+    if (draws(pass)) check_layer(pass);
+    if (draws(pass)) check_state(pass);
     if (depths > 1) fail(pass, "writes more than one depth resource");
     if (colors > kMaxColors) fail(pass, fmt::format("writes more than {} colour resources", kMaxColors));
     if (colors > 0 && pass.fragment.empty()) fail(pass, "writes colour without a 'fragment' shader");
@@ -317,6 +304,16 @@ class PassChecker {
     }
   }
 
+  void check_buffers() const {
+    for (const BufferDeclaration& buffer : technique_.buffers) {
+      const auto fail_unless = [&](bool is_fine, std::string_view message) {
+        if (!is_fine) fail_input(fmt::format("buffer '{}' {}", buffer.name, message), buffer.where);
+      };
+      fail_unless(written_.contains(buffer.name), "is never written");
+      fail_unless(read_.contains(buffer.name), "is never read");
+    }
+  }
+
   void check_views() const {
     for (const ViewDeclaration& view : technique_.views) {
       if (!used_views_.contains(view.name))
@@ -337,6 +334,7 @@ class PassChecker {
   std::vector<std::string> known_reads_;
   std::vector<std::string> known_writes_;
   NameSet ids_, written_, written_once_, read_, used_views_;
+  NameSet buffers_;
   NameSet layered_;           // resources with layers
   NameSet depth_for_colors_;  // depth resources that only serve the depth test of a pass with colours
 };
@@ -344,7 +342,8 @@ class PassChecker {
 }  // namespace
 
 bool leaves_texels_out(const PassDeclaration& pass) {
-  return pass.kind == PassKind::scene || pass.state.stencil || pass.state.depth_test;
+  return pass.kind == PassKind::scene || pass.state.stencil || pass.state.depth_test ||
+         (pass.kind == PassKind::compute && !pass.overwrites);
 }
 
 void check_passes(const Technique& technique) {

@@ -11,12 +11,16 @@ namespace umbrameter {
 /// unused, `visibility` written. Error{input} at the first fault.
 void check_passes(const Technique& technique);
 
-/// Whether a pass may leave some of what it writes as it was: triangles do between them, tests where they fail.
+/// Whether a pass may leave some of what it writes as it was: triangles do between them, tests where they fail, and compute
+/// shaders unless they say that they do not.
 bool leaves_texels_out(const PassDeclaration& pass);
 
 /// Nothing of an earlier frame but what passes with `once` wrote: each other read, and each drawing over what is there,
 /// follows a write of the same frame. Error{input} at the first that does not.
 void check_frames(const Technique& technique);
+
+/// One meaning for each name that shaders see. check_passes() calls it.
+void check_identifiers(const Technique& technique);
 
 /// Views: origins and fits that go with the technique's lights and with each other. check_passes() calls it.
 void check_views(const Technique& technique);

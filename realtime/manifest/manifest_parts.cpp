@@ -67,13 +67,21 @@ Expression read_expression(Manifest& manifest, TomlReader& reader, const std::st
   return node == nullptr ? Expression() : expression_of(manifest, *node, key, scope);
 }
 
+std::vector<Expression> read_expressions(Manifest& manifest, TomlReader& reader, const std::string& key,
+                                         const Names& scope) {
+  const TomlNode& list = reader.require(key);
+  if (list.type != TomlNode::Type::array)
+    reader.fail(key, fmt::format("'{}' must be a list of expressions", key));
+  std::vector<Expression> expressions;
+  for (const TomlNode& item : list.items) expressions.push_back(expression_of(manifest, item, key, scope));
+  return expressions;
+}
+
 std::array<Expression, 2> read_expression_pair(Manifest& manifest, TomlReader& reader, const std::string& key,
                                                const Names& scope) {
-  const TomlNode& list = reader.require(key);
-  if (list.type != TomlNode::Type::array || list.items.size() != 2)
-    reader.fail(key, fmt::format("'{}' must be a list of two expressions", key));
-  return {expression_of(manifest, list.items[0], key, scope),
-          expression_of(manifest, list.items[1], key, scope)};
+  const std::vector<Expression> both = read_expressions(manifest, reader, key, scope);
+  if (both.size() != 2) reader.fail(key, fmt::format("'{}' must be a list of two expressions", key));
+  return {both.at(0), both.at(1)};
 }
 
 Expression require_expression(Manifest& manifest, TomlReader& reader, const std::string& key,

@@ -25,6 +25,10 @@ Expression read_expression(Manifest& manifest, TomlReader& reader, const std::st
 Expression require_expression(Manifest& manifest, TomlReader& reader, const std::string& key,
                               const Names& scope);
 
+/// As many of them as a list has.
+std::vector<Expression> read_expressions(Manifest& manifest, TomlReader& reader, const std::string& key,
+                                         const Names& scope);
+
 /// Two of them, written as a list.
 std::array<Expression, 2> read_expression_pair(Manifest& manifest, TomlReader& reader, const std::string& key,
                                                const Names& scope);
@@ -39,6 +43,9 @@ Enum read_enum(TomlReader& reader, const std::string& key, const std::array<std:
 std::vector<double> read_numbers(TomlReader& reader, const std::string& key);
 
 // The tables. `scope` holds the names that expressions may use.
+/// Whether a [[resource]] is a buffer; the kinds of textures are read_resource()'s.
+bool is_buffer(const TomlNode& table);
+BufferDeclaration read_buffer(Manifest& manifest, const TomlNode& table, const Names& scope);
 ResourceDeclaration read_resource(Manifest& manifest, const TomlNode& table, const Names& scope);
 /// `family_scope`: those of a family of views, which belongs to no loop.
 ViewDeclaration read_view(Manifest& manifest, const TomlNode& table, const Names& scope,

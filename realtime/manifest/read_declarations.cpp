@@ -9,10 +9,11 @@ namespace umbrameter {
 namespace {
 
 // In the order of their enumerations.
+const std::array<std::string, 4> kResourceKinds = {"2d", "array", "cube", "buffer"};
 const std::array<std::string, 3> kTextureKinds = {"2d", "array", "cube"};
 const std::array<std::string, 3> kFilters = {"nearest", "linear", "mipmap"};
 const std::array<std::string, 3> kWraps = {"border", "clamp", "repeat"};
-const std::array<std::string, 4> kPassKinds = {"scene", "fullscreen", "mipmap", "loop"};
+const std::array<std::string, 5> kPassKinds = {"scene", "fullscreen", "mipmap", "loop", "compute"};
 /// "light.center", or one of the others with the expression between its brackets.
 void read_origin(Manifest& manifest, TomlReader& reader, ViewDeclaration& view, const Names& scope) {
   const std::string from = reader.text("from", "light.center");
@@ -99,6 +100,28 @@ void read_loop(Manifest& manifest, TomlReader& reader, PassDeclaration& pass, Na
   if (pass.body.empty()) reader.fail("kind", "a loop needs at least one [[pass.pass]]");
 }
 
+void read_running(TomlReader& reader, PassDeclaration& pass) {
+  pass.once = reader.boolean("once", false);
+  if (pass.once && reader.has("timer"))
+    reader.fail("timer", "a pass that runs once is not timed", "leave out 'timer'");
+  pass.timer = reader.text("timer", "");
+}
+
+void read_compute(Manifest& manifest, TomlReader& reader, PassDeclaration& pass, const Names& scope) {
+  pass.compute = reader.text("compute");
+  pass.groups = read_expressions(manifest, reader, "groups", scope);
+  if (pass.groups.empty() || pass.groups.size() > 3)
+    reader.fail("groups", fmt::format("'groups' has {} entries", pass.groups.size()),
+                "work groups along x, y and z: one to three expressions");
+  pass.overwrites = reader.boolean("overwrites", false);
+  pass.reads = reader.texts("reads");
+  pass.writes = reader.texts("writes");
+  pass.views = reader.texts("views");
+  if (reader.has("clear")) pass.state.clear = read_numbers(reader, "clear");
+  pass.write_level = read_expression(manifest, reader, "write_level", scope);
+  read_running(reader, pass);
+}
+
 void read_drawing(Manifest& manifest, TomlReader& reader, PassDeclaration& pass, const Names& scope) {
   if (pass.kind == PassKind::scene) {
     pass.view = reader.text("view", "");
@@ -122,13 +145,28 @@ void read_drawing(Manifest& manifest, TomlReader& reader, PassDeclaration& pass,
   pass.state = read_state(manifest, reader, pass.kind == PassKind::scene, scope);
   pass.write_level = read_expression(manifest, reader, "write_level", scope);
   pass.write_layer = read_expression(manifest, reader, "write_layer", scope);
-  pass.once = reader.boolean("once", false);
-  if (pass.once && reader.has("timer"))
-    reader.fail("timer", "a pass that runs once is not timed", "leave out 'timer'");
-  pass.timer = reader.text("timer", "");
+  read_running(reader, pass);
 }
 
 }  // namespace
+
+bool is_buffer(const TomlNode& table) {
+  return TomlReader(table, "[[resource]]").choice("kind", kResourceKinds, 0) == kTextureKinds.size();
+}
+
+BufferDeclaration read_buffer(Manifest& manifest, const TomlNode& table, const Names& scope) {
+  TomlReader reader(table, "[[resource]] of a buffer");
+  BufferDeclaration buffer;
+  buffer.where = table.where;
+  buffer.name = read_name(reader, "name");
+  reader.require("kind");
+  const std::string element = reader.text("element");
+  buffer.element = &find_element_type(element, reader.where("element"));
+  buffer.count = require_expression(manifest, reader, "count", scope);
+  buffer.condition = read_expression(manifest, reader, "condition", scope);
+  reader.finish();
+  return buffer;
+}
 
 ResourceDeclaration read_resource(Manifest& manifest, const TomlNode& table, const Names& scope) {
   TomlReader reader(table, "[[resource]]");
@@ -196,6 +234,9 @@ PassDeclaration read_pass(Manifest& manifest, const TomlNode& table, const Names
     case PassKind::scene:
     case PassKind::fullscreen:
       read_drawing(manifest, reader, pass, scope);
+      break;
+    case PassKind::compute:
+      read_compute(manifest, reader, pass, scope);
       break;
   }
   reader.finish();

@@ -173,8 +173,13 @@ Manifest read_manifest(const std::filesystem::path& folder, const std::filesyste
   for_all([&](TomlReader& source) { read_values(manifest, source, scope); });
   technique.frames_before = read_expression(manifest, reader, "frames_before", scope);
   for_all([&](TomlReader& source) {
-    for (const TomlNode* table : source.tables("resource"))
-      technique.resources.push_back(read_resource(manifest, *table, scope));
+    for (const TomlNode* table : source.tables("resource")) {
+      if (is_buffer(*table)) {
+        technique.buffers.push_back(read_buffer(manifest, *table, scope));
+      } else {
+        technique.resources.push_back(read_resource(manifest, *table, scope));
+      }
+    }
   });
   if (technique.has_history()) scope.insert(scope.end(), frame_variables().begin(), frame_variables().end());
   for_all([&](TomlReader& source) {

@@ -18,7 +18,7 @@ void add_passes(ShaderFiles& files, const Technique& technique, const std::vecto
                 const std::filesystem::path& shaders_folder) {
   for (const PassDeclaration& pass : passes) {
     add_passes(files, technique, pass.body, shaders_folder);
-    for (const std::string& name : {pass.vertex, pass.fragment}) {
+    for (const std::string& name : {pass.vertex, pass.fragment, pass.compute}) {
       if (name.empty()) continue;
       const auto file = find_shader(name, technique.folder, shaders_folder, pass.where);
       const ShaderSource source = load_shader_source(file, "", shader_search_folders(shaders_folder));

@@ -3,6 +3,7 @@
 // A technique as its folder says: manifest + GLSL. Pure data, no GL. docs/adding-a-technique.md is the guide.
 
 #include "core/parameters.h"
+#include "realtime/graph/buffer.h"
 #include "realtime/graph/pass.h"
 #include "realtime/graph/resource.h"
 #include "realtime/graph/view.h"
@@ -46,6 +47,7 @@ struct Technique {
   Expression frames_before;
   std::vector<ViewDeclaration> views;
   std::vector<ResourceDeclaration> resources;
+  std::vector<BufferDeclaration> buffers;
   std::vector<PassDeclaration> passes;
   std::vector<Preset> presets;
   std::string hash;  // of the manifest, every file in the folder, included manifests and shaders

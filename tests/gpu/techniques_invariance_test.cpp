@@ -156,7 +156,7 @@ const std::map<std::string, uint64_t> kTexelBytes = {{"depth32f", 4}, {"depth32f
                                                      {"rg32f", 8},    {"rgba8", 4},
                                                      {"rgba16f", 8},  {"rgba32f", 16},
                                                      {"r32ui", 4},    {"rgba16", 8},
-                                                     {"rg32ui", 8}};
+                                                     {"rg32ui", 8},   {"rg16", 4}};
 
 ExpressionVariables variables_for(const Technique& technique, const ParameterValues& values) {
   ExpressionVariables variables = parameter_variables(technique.parameters, values);
@@ -310,6 +310,10 @@ TEST(every_technique, memory_and_timed_passes_are_those_of_its_manifest) {
     for (const ResourceDeclaration& resource : technique.resources)
       if (is_on(resource.condition, variables))
         bytes += (previously.contains(resource.name) ? 2 : 1) * bytes_of(resource, variables);
+    for (const BufferDeclaration& buffer : technique.buffers)
+      if (is_on(buffer.condition, variables))
+        bytes += (previously.contains(buffer.name) ? 2 : 1) *
+                 static_cast<uint64_t>(buffer.count.evaluate(variables)) * buffer.element->bytes();
     EXPECT_EQ(frame.memory_bytes, bytes) << technique.id;
 
     std::vector<const PassDeclaration*> running;
