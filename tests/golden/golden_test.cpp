@@ -100,8 +100,8 @@ TEST_P(GoldenTechnique, LooksAsBefore) {
 }
 
 INSTANTIATE_TEST_SUITE_P(BuiltIn, GoldenTechnique,
-                         testing::Values("hard", "pcf", "pcss", "accumulate", "pcf_temporal",
-                                         "pcss_temporal"),
+                         testing::Values("hard", "pcf", "pcss", "accumulate", "pcf_temporal", "pcss_temporal",
+                                         "msm6"),
                          [](const auto& instance) { return instance.param; });
 
 TEST(GoldenReference, ContactHardeningLooksAsBefore) {

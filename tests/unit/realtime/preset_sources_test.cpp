@@ -68,6 +68,8 @@ constexpr const char* kFilamentOptions = "filament/filament/include/filament/Lig
 
 constexpr const char* kMoments2015 = "Peters and Klein, I3D 2015: 16 bits";
 constexpr const char* kMoments2017 = "Peters et al., JCGT 6(1), code of the demo";
+// Second-hand: ports of the code of the same authors' later paper, whose four-moment constants are those of the demo.
+constexpr const char* kMoments2018 = "Muenstermann et al., I3D 2018, ports of the code";
 // Unreal Engine 5.3, in centimetres.
 constexpr double kMetresOfCentimetres = 0.01;
 constexpr const char* kUnreal =
@@ -187,6 +189,8 @@ const SourceConstant kConstants[] = {
     {"msm4", "peters-2017", "bias_even_moments", 0.628, 1, kMoments2017},
     {"msm4", "peters-2017-128", "moment_bias", 3e-7, 1, kMoments2017},
     {"msm4", "peters-2017-128", "bias_even_moments", 0.375, 1, kMoments2017},
+    {"msm6", "muenstermann-2018-96", "moment_bias", 6e-4, 1, kMoments2018},
+    {"msm6", "muenstermann-2018-192", "moment_bias", 5e-6, 1, kMoments2018},
     {"smrt", "unreal", "rays", 7, 1, kUnreal},
     {"smrt", "unreal", "samples", 8, 1, kUnreal},
     {"smrt", "unreal", "max_ray_angle_rad", 0.03, 1, kUnreal},
@@ -277,6 +281,8 @@ const SourceChoice kChoices[] = {
     {"msm4", "peters-2017", "moment_format", "rgba16"},
     {"msm4", "peters-2017", "quantisation", "peters_2017"},
     {"msm4", "peters-2017-128", "moment_format", "rgba32f"},
+    {"msm6", "muenstermann-2018-96", "moment_format", "rg16"},
+    {"msm6", "muenstermann-2018-192", "moment_format", "rg32f"},
     {"smrt", "unreal", "ray_reach", "unreal"},
     {"smrt", "unreal", "extrapolation", "true"},
     {"smrt_cascades", "unreal", "ray_reach", "unreal"},
