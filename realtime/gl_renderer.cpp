@@ -39,6 +39,7 @@ struct SceneOnGpu {
   SceneBuffers buffers;
   std::vector<CasterCluster> casters;  // none where culling is off
   std::vector<InstanceBox> instance_boxes;
+  std::unique_ptr<SceneData> data;
 };
 
 size_t gpu_bytes(const Scene& scene) {
@@ -138,6 +139,7 @@ class GlRenderer final : public Renderer {
 
   const GlDevice& device() const { return context_.device(); }
   const PassCounts& counts() const { return textures_.counts(); }
+  uint64_t scene_data_made() const { return scene_data_made_; }
 
   Image dump(const Scene& scene, const RenderRequest& request, const ResourcePart& part, Progress& progress) {
     const std::optional<LocalScene> local = local_scene(scene);
@@ -211,12 +213,15 @@ class GlRenderer final : public Renderer {
     }
   }
 
-  std::shared_ptr<const SceneOnGpu> upload(const Scene& scene) const {
-    return std::make_shared<const SceneOnGpu>(
+  std::shared_ptr<const SceneOnGpu> upload(const Scene& scene) {
+    auto made = std::make_shared<SceneOnGpu>(
         SceneOnGpu{SceneBuffers(scene),
                    settings_.cull_casters && scene.cutouts.empty() ? make_caster_clusters(scene)
                                                                    : std::vector<CasterCluster>{},
-                   settings_.cull_casters ? make_instance_boxes(scene) : std::vector<InstanceBox>{}});
+                   settings_.cull_casters ? make_instance_boxes(scene) : std::vector<InstanceBox>{},
+                   {}});
+    made->data = std::make_unique<SceneData>(made->buffers, scene_data_made_);
+    return made;
   }
 
   std::shared_ptr<const SceneOnGpu> scene_on_gpu(const Scene& scene) {
@@ -292,6 +297,7 @@ class GlRenderer final : public Renderer {
             run.parameters,
             scene,
             on_gpu.buffers,
+            *on_gpu.data,
             picture.gbuffer,
             picture.receivers,
             on_gpu.casters,
@@ -386,7 +392,7 @@ class GlRenderer final : public Renderer {
   void describe(const GlRun& run, Frame& frame) {
     frame.parameters = run.parameters;
     frame.image = run.picture->image;
-    frame.memory_bytes = run.plan.targets->declared_bytes();
+    frame.memory_bytes = memory_bytes(run.plan);
     frame.warnings = run.plan.warnings;
     frame.left_out = run.left_out;
     frame.frames_before = run.frames_before;
@@ -425,6 +431,7 @@ class GlRenderer final : public Renderer {
   VertexArray empty_vertex_array_;
   Sampler nearest_{SamplerSettings{}};
   std::optional<TimerKind> timer_;
+  uint64_t scene_data_made_ = 0;
   RecentlyUsed<SceneOnGpu> scenes_{kScenesBytes};  // runs share both
   RecentlyUsed<Picture> pictures_{kPicturesBytes};
   KeptTextures textures_{kTexturesBytes};
@@ -450,6 +457,10 @@ std::string device_identity(const Renderer& renderer) {
 
 PassCounts pass_counts(const Renderer& renderer) {
   return gl_renderer_of<const GlRenderer>(renderer).counts();
+}
+
+uint64_t scene_data_made(const Renderer& renderer) {
+  return gl_renderer_of<const GlRenderer>(renderer).scene_data_made();
 }
 
 Image dump_resource(Renderer& renderer, const Scene& scene, const RenderRequest& request,

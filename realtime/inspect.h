@@ -43,6 +43,9 @@ struct PassCounts {
 };
 PassCounts pass_counts(const Renderer& renderer);
 
+/// Buffers of scene data made so far (scene.adjacency, scene.bvh): one a scene, when a pass that reads it is prepared first.
+uint64_t scene_data_made(const Renderer& renderer);
+
 /// A shader as it went to the driver, generated prelude and includes in it.
 struct FinalShader {
   std::string pass;   // the first pass that uses it

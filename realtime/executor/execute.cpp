@@ -84,18 +84,20 @@ void draw_pulled(const PreparedPass& pass, const Step& step, const SceneBuffers&
 }
 
 /// The program and all that its shaders read.
-void bind_inputs(const Plan& plan, const Step& step) {
+void bind_inputs(const Plan& plan, const Step& step, const SceneBuffers& scene_buffers) {
   const PreparedPass& pass = plan.passes[step.pass];
   pass.program->use();
   for (const BoundTexture& bound : pass.textures) bind_texture(bound.unit, *bound.texture, *bound.sampler);
+  if (!pass.scene_data.empty()) scene_buffers.bind_storage();  // cut-outs and instances too
+  for (const BoundBuffer& bound : pass.scene_data) bind_storage_buffer(bound.binding, *bound.buffer);
   for (const BoundBuffer& bound : pass.buffers) bind_storage_buffer(bound.binding, *bound.buffer);
   for (const UniformRange& range : step.uniforms) bind_range(plan.uniforms, range);
 }
 
-void run_compute(const Plan& plan, const Step& step) {
+void run_compute(const Plan& plan, const Step& step, const SceneBuffers& scene_buffers) {
   const PreparedPass& pass = plan.passes[step.pass];
   clear_written(pass);
-  bind_inputs(plan, step);
+  bind_inputs(plan, step, scene_buffers);
   dispatch(pass, step.groups);
 }
 
@@ -108,7 +110,7 @@ void draw_pass(const Plan& plan, const Step& step, const SceneBuffers& scene_buf
   if (declaration.state.clear) clear_targets(pass, *declaration.state.clear);
   if (declaration.state.clear_stencil) clear_stencil(pass, *declaration.state.clear_stencil);
   set_pass_state(declaration, step);
-  bind_inputs(plan, step);
+  bind_inputs(plan, step, scene_buffers);
   if (step.vertices > 0) {
     draw_pulled(pass, step, scene_buffers);
   } else if (declaration.kind == PassKind::scene) {
@@ -147,7 +149,7 @@ void draw_step(const Plan& plan, const Step& step, const SceneBuffers& scene_buf
     case PassKind::fullscreen:
       return draw_pass(plan, step, scene_buffers, empty_vertex_array);
     case PassKind::compute:
-      return run_compute(plan, step);
+      return run_compute(plan, step, scene_buffers);
     case PassKind::mipmap:
       for (const Texture* texture : pass.mipmaps) glGenerateTextureMipmap(texture->id());
       return;

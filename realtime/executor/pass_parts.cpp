@@ -62,7 +62,16 @@ PreludeInputs prelude_inputs(const PassDeclaration& pass, const RunInputs& input
   };
   prelude.buffers = &targets.buffers();
   prelude.takes_blocker_truth = inputs.takes_blocker_truth;
+  prelude.scene_has_cutouts = inputs.scene_buffers.cutouts() != nullptr;
+  prelude.scene_has_instances = inputs.scene_buffers.instances() != nullptr;
   return prelude;
+}
+
+void take_scene_data(PreparedPass& prepared, const RunInputs& inputs) {
+  for (const std::string& name : prepared.declaration->reads) {
+    if (const SceneReadInfo* read = find_scene_read(name))
+      prepared.scene_data.push_back({read->binding, &inputs.scene_data.get(read->read, inputs.scene)});
+  }
 }
 
 void take_reads(PreparedPass& prepared, const Targets& targets) {

@@ -20,6 +20,9 @@ void require_readable(const PreparedPass& prepared, const Targets& targets);
 PreludeInputs prelude_inputs(const PassDeclaration& pass, const RunInputs& inputs, const Targets& targets,
                              const PassSurroundings& around);
 
+/// What the pass reads of the scene, made where nobody has before.
+void take_scene_data(PreparedPass& prepared, const RunInputs& inputs);
+
 /// The textures and buffers that the pass's shaders see, which must have memory.
 void take_reads(PreparedPass& prepared, const Targets& targets);
 

@@ -3,6 +3,7 @@
 
 #include "realtime/executor/barriers.h"
 #include "realtime/executor/compute.h"
+#include "realtime/executor/pass_parts.h"
 #include "realtime/executor/prelude.h"
 #include "realtime/harness/frame_uniforms.h"
 #include "realtime/manifest/names.h"
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <cstring>
 #include <limits>
+#include <set>
 
 namespace umbrameter {
 namespace {
@@ -217,6 +219,7 @@ class Planner {
     around.vertices = vertices_of(pass);
     for (const std::string& name : pass.views) around.view_counts[name] = views_.get(name, variables_).size();
     PreparedPass prepared = prepare_pass(pass, place, inputs_, *plan_.targets, around, programs_);
+    take_scene_data(prepared, inputs_);
     if (prepared.program) add_warnings(*prepared.program);
     if (!pass.once) prepared.label = label_index(pass.timer.empty() ? pass.id : pass.timer);
     return prepared;
@@ -264,6 +267,15 @@ class Planner {
 
 Plan make_plan(const RunInputs& inputs, ProgramCache& programs) {
   return Planner(inputs, programs).make();
+}
+
+size_t memory_bytes(const Plan& plan) {
+  std::set<const Buffer*> buffers;
+  for (const PreparedPass& pass : plan.passes)
+    for (const BoundBuffer& bound : pass.scene_data) buffers.insert(bound.buffer);
+  size_t bytes = plan.targets->declared_bytes();
+  for (const Buffer* buffer : buffers) bytes += buffer->bytes();
+  return bytes;
 }
 
 void attach(Plan& plan) {

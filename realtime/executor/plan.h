@@ -56,6 +56,9 @@ inline constexpr size_t kMaxSteps = size_t{1} << 18;
 /// Error{input} for sizes, counts and shaders that do not work.
 Plan make_plan(const RunInputs& inputs, ProgramCache& programs);
 
+/// Of the textures that a plan declares and the scene's data that its passes read, each counted once.
+size_t memory_bytes(const Plan& plan);
+
 /// Gives memory to the textures of all steps that are to be drawn, and binds it: before the first frame.
 void attach(Plan& plan);
 

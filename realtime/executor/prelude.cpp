@@ -3,6 +3,7 @@
 
 #include "realtime/executor/blocker_truth.h"
 #include "realtime/executor/buffer_targets.h"
+#include "realtime/graph/scene_read.h"
 #include "realtime/harness/frame_uniforms.h"
 #include "realtime/harness/objects.h"
 #include "realtime/manifest/names.h"
@@ -137,6 +138,19 @@ std::string buffer_blocks(const PreludeInputs& inputs) {
   return text;
 }
 
+/// Per `scene.*` a storage block and a macro that tells that it is there.
+std::string scene_blocks(const PreludeInputs& inputs) {
+  std::string text;
+  for (const std::string& name : inputs.pass.reads) {
+    const SceneReadInfo* read = find_scene_read(name);
+    if (read != nullptr) text += fmt::format("#define HAS_{}\n{}", macro_name(name), read->block);
+  }
+  if (text.empty()) return text;
+  if (inputs.scene_has_cutouts) text += "#define SCENE_HAS_CUTOUTS\n";
+  if (inputs.scene_has_instances) text += "#define SCENE_HAS_INSTANCES\n";
+  return text;
+}
+
 std::string_view output_type(const TextureFormat& format) {
   if (format.is_integer) return format.components == 1 ? "uint" : "uvec2";
   if (format.components == 1) return "float";
@@ -180,7 +194,8 @@ std::string blocker_truth(const PreludeInputs& inputs) {
 
 std::string vertex_prelude(const PreludeInputs& inputs) {
   return defines(inputs.technique, inputs.values) + std::string(kFrameBlockGlsl) + uniform_blocks(inputs) +
-         view_blocks(inputs) + samplers(inputs) + buffer_blocks(inputs);
+         view_blocks(inputs) + samplers(inputs) + buffer_blocks(inputs) +
+         scene_blocks(inputs);
 }
 
 std::string fragment_prelude(const PreludeInputs& inputs) {
@@ -194,6 +209,8 @@ std::string compute_prelude(const PreludeInputs& inputs) {
 std::vector<BufferSlot> buffer_slots(const PassDeclaration& pass, const BufferTargets& buffers) {
   std::vector<BufferSlot> slots;
   unsigned binding = kFirstStorageBinding;
+  for (const std::string& name : pass.reads)
+    if (const SceneReadInfo* read = find_scene_read(name)) binding = std::max(binding, read->binding + 1);
   for (const std::string& name : pass.reads)
     if (buffers.find(name) != nullptr) slots.push_back({name, binding++, false});
   for (const std::string& name : pass.writes)

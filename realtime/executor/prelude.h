@@ -22,7 +22,7 @@ inline constexpr unsigned kLoopBinding = 2;
 inline constexpr unsigned kFirstViewBinding = 3;
 inline constexpr unsigned kHistoryBinding = 35;  // the last of the 36 that every GL has
 
-/// Storage bindings of a pass's buffers, after those of the scene (realtime/harness/scene_buffers.h). Pass by pass: GL promises 8.
+/// Storage bindings of a pass's buffers, after those of the scene (realtime/harness/scene_buffers.h) and those that the pass reads (realtime/graph/scene_read.h). Pass by pass: GL promises 8.
 inline constexpr unsigned kFirstStorageBinding = 5;
 
 /// A storage buffer as a pass's shaders see it.
@@ -45,6 +45,8 @@ struct PreludeInputs {
   std::function<const TextureFormat*(const std::string&)> format_of;
   const BufferTargets* buffers = nullptr;  // none: the run has no buffers
   bool takes_blocker_truth = false;        // realtime/executor/blocker_truth.h
+  bool scene_has_cutouts = false;
+  bool scene_has_instances = false;
 };
 
 /// Before a vertex shader, and (with the outputs) before a fragment shader.

@@ -61,6 +61,7 @@ struct PreparedPass {
   std::vector<BoundBuffer> buffers;
   std::vector<BoundImage> images;
   std::vector<BufferTarget> written_buffers;          // of a compute pass
+  std::vector<BoundBuffer> scene_data;                // that it reads
   std::vector<std::unique_ptr<Texture>> level_views;  // of textures that are written too
   std::vector<Resolve> resolves;                      // after drawing
   std::vector<const Texture*> mipmaps;                // textures whose further levels a mipmap pass makes

@@ -7,6 +7,7 @@
 #include "realtime/harness/gbuffer.h"
 #include "realtime/harness/scene_buffers.h"
 #include "realtime/manifest/technique.h"
+#include "realtime/scene_data/scene_data.h"
 #include "realtime/views/instance_boxes.h"
 #include "realtime/views/light_view.h"
 #include "scenes/scene.h"
@@ -23,6 +24,7 @@ struct RunInputs {
   const ParameterValues& values;  // complete
   const Scene& scene;
   const SceneBuffers& scene_buffers;
+  SceneData& scene_data;   // of the same
   const GBuffer& gbuffer;  // also says the screen's size
   std::span<const ReceiverTile> receivers;
   std::span<const CasterCluster> casters;       // none: every triangle is drawn into every map

@@ -44,6 +44,10 @@ class SceneBuffers {
   const InstanceBuffers* instances() const { return instances_.get(); }
   /// The triangles with holes; null for a scene without.
   const CutoutBuffers* cutouts() const { return cutouts_.get(); }
+  /// As the bindings above say.
+  const Buffer& positions() const { return positions_; }
+  const Buffer& triangles() const { return triangles_; }
+  const Buffer& normals() const { return normals_; }
   /// Binds the storage buffers.
   void bind_storage() const;
 

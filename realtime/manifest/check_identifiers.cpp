@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "realtime/graph/scene_read.h"
 #include "realtime/manifest/check_technique.h"
 #include "realtime/manifest/names.h"
 
@@ -37,6 +38,7 @@ void claim_loops(Identifiers& identifiers, const std::vector<PassDeclaration>& p
 void check_identifiers(const Technique& technique) {
   Identifiers identifiers;
   for (const std::string& name : builtin_reads()) identifiers.claim(glsl_name(name), "a built-in", {});
+  for (const SceneReadInfo& read : scene_reads()) identifiers.claim(glsl_name(read.name), "a built-in", {});
   identifiers.claim(std::string(kVisibility), "a built-in", {});
   for (const Parameter& parameter : technique.parameters) {
     identifiers.claim(parameter.name, fmt::format("parameter '{}'", parameter.name), parameter.where);

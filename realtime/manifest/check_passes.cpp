@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/names.h"
+#include "realtime/graph/scene_read.h"
 #include "realtime/harness/objects.h"
 #include "realtime/manifest/check_technique.h"
 #include "realtime/manifest/names.h"
@@ -48,6 +49,7 @@ class PassChecker {
     for (const std::string& name : of_this_frame) {
       if (name != kVisibility) known_reads_.push_back(std::string(kPrevious) + name);
     }
+    for (const SceneReadInfo& read : scene_reads()) known_reads_.emplace_back(read.name);
   }
 
   void check_all() {
@@ -152,7 +154,8 @@ class PassChecker {
         check_previous(pass, name);
         continue;
       }
-      const bool is_builtin = std::ranges::find(builtin_reads(), name) != builtin_reads().end();
+      const bool is_builtin = find_scene_read(name) != nullptr ||
+                              std::ranges::find(builtin_reads(), name) != builtin_reads().end();
       if (!is_builtin && !written_.contains(name)) {
         fail(pass, fmt::format("reads '{}', which no earlier pass writes", name));
       }

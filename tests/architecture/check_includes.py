@@ -33,7 +33,7 @@ APART = ("study",)
 HOMES = {
     "toml++/": ("core/toml.cpp",),
     "CGAL/": ("reference/exact/",),
-    "embree3/": ("reference/",),
+    "embree3/": ("reference/", "realtime/scene_data/box_tree.cpp"),
     "epoxy/": ("realtime/", "view/", "tests/gpu/"),
     "GLFW/": ("view/",),
     "imgui": ("view/",),
