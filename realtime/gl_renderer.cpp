@@ -14,6 +14,7 @@
 #include "realtime/executor/texel_planes.h"
 #include "realtime/harness/context.h"
 #include "realtime/harness/gbuffer.h"
+#include "realtime/harness/noise_texture.h"
 #include "realtime/harness/readback.h"
 #include "realtime/manifest/names.h"
 #include "realtime/manifest/technique_cache.h"
@@ -272,6 +273,7 @@ class GlRenderer final : public Renderer {
     run->frames_before = count_frames_before(declared, parameters, scene);
     const bool is_first = run->frames_before == 0;
     if (declared.has_history()) run->motion = scene.motion.name;
+    if (!blue_noise_ && reads(declared.passes, kBlueNoise)) blue_noise_ = make_blue_noise();
     const Scene before = scene_at(scene, is_first ? 0 : -1, request.height_px);
     if (!is_first) run->previous_picture = picture_in(before, scene, request);
     const RunInputs inputs = inputs_of(*run, scene, *run->scene, *run->picture, request, run->frames_before,
@@ -310,7 +312,8 @@ class GlRenderer final : public Renderer {
             request.blocker_truth != nullptr,
             frame,
             previous_camera,
-            previous == nullptr ? nullptr : &previous->gbuffer};
+            previous == nullptr ? nullptr : &previous->gbuffer,
+            blue_noise_ ? &*blue_noise_ : nullptr};
   }
 
   /// Pictures of frames before are kept only where nothing moves: nobody asks for the others again.
@@ -431,6 +434,7 @@ class GlRenderer final : public Renderer {
   VertexArray empty_vertex_array_;
   Sampler nearest_{SamplerSettings{}};
   std::optional<TimerKind> timer_;
+  std::optional<Texture> blue_noise_;  // made when first read
   uint64_t scene_data_made_ = 0;
   RecentlyUsed<SceneOnGpu> scenes_{kScenesBytes};  // runs share both
   RecentlyUsed<Picture> pictures_{kPicturesBytes};

@@ -38,6 +38,7 @@ struct RunInputs {
   int frame = 0;                              // counted from the first that is drawn
   const Camera* previous_camera = nullptr;    // of the frame before; null in the first
   const GBuffer* previous_gbuffer = nullptr;  // the same
+  const Texture* blue_noise = nullptr;        // null where no pass reads it
 };
 
 /// Parameters, choices, built-in variables and the technique's own values: what expressions may use outside loops.

@@ -58,6 +58,8 @@ Targets::Targets(const RunInputs& inputs, const ExpressionVariables& variables)
   add_screen("gbuffer.shading_normal", inputs.gbuffer.shading_normal);
   add_screen("gbuffer.primitive_id", inputs.gbuffer.primitive_id);
   add_screen("gbuffer.depth", inputs.gbuffer.depth);
+  if (inputs.blue_noise != nullptr)
+    targets_[std::string(kBlueNoise)] = {inputs.blue_noise, Sampler({.wrap = TextureWrap::repeat}), nullptr};
   const std::set<std::string> previously = read_previously(inputs.technique.passes);
   for (const ResourceDeclaration& resource : inputs.technique.resources) {
     if (!holds(resource.condition, variables)) continue;

@@ -47,7 +47,7 @@ class PassChecker {
     known_reads_.insert(known_reads_.end(), builtin_reads().begin(), builtin_reads().end());
     const std::vector<std::string> of_this_frame = known_reads_;
     for (const std::string& name : of_this_frame) {
-      if (name != kVisibility) known_reads_.push_back(std::string(kPrevious) + name);
+      if (name != kVisibility && name != kBlueNoise) known_reads_.push_back(std::string(kPrevious) + name);
     }
     for (const SceneReadInfo& read : scene_reads()) known_reads_.emplace_back(read.name);
   }

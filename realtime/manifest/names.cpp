@@ -3,16 +3,23 @@
 
 #include "realtime/graph/pass.h"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 
 namespace umbrameter {
 
 std::span<const std::string> builtin_reads() {
-  static const std::array<std::string, 5> reads = {"gbuffer.position", "gbuffer.normal",
+  static const std::array<std::string, 6> reads = {"gbuffer.position",       "gbuffer.normal",
                                                    "gbuffer.shading_normal", "gbuffer.primitive_id",
-                                                   "gbuffer.depth"};
+                                                   "gbuffer.depth",          std::string(kBlueNoise)};
   return reads;
+}
+
+bool reads(const std::vector<PassDeclaration>& passes, std::string_view name) {
+  return std::ranges::any_of(passes, [&](const PassDeclaration& pass) {
+    return std::ranges::find(pass.reads, name) != pass.reads.end() || reads(pass.body, name);
+  });
 }
 
 std::string glsl_name(std::string_view name) {

@@ -14,9 +14,11 @@
 
 namespace umbrameter {
 
-/// Built-in reads (gbuffer.*) in a fixed order.
+/// Built-in textures (gbuffer.* and noise.*) in a fixed order.
 std::span<const std::string> builtin_reads();
 inline constexpr std::string_view kVisibility = "visibility";
+/// 64 x 64 texels of blue noise, the same in every frame.
+inline constexpr std::string_view kBlueNoise = "noise.blue";
 
 /// "previous.<resource or built-in>": a read of what it held at the end of the frame before.
 inline constexpr std::string_view kPrevious = "previous.";
@@ -30,6 +32,8 @@ inline std::string_view without_previous(std::string_view read) {
 /// The resources, but for built-ins, whose previous contents some pass reads.
 struct PassDeclaration;
 std::set<std::string> read_previously(const std::vector<PassDeclaration>& passes);
+/// Whether some pass reads `name`.
+bool reads(const std::vector<PassDeclaration>& passes, std::string_view name);
 
 /// A resource or built-in as GLSL sees it: dots become underscores.
 std::string glsl_name(std::string_view name);

@@ -10,11 +10,12 @@
 #include "blocker_search.glsl"
 #include "light_filter.glsl"
 #include "pixel.glsl"
+#include "r2_sequence.glsl"
 #include "search_bound.glsl"
 
 float visibility_of(Receiver receiver) {
   AreaLight light = kernel_light();
-  vec2 noise = kernel_noise(noise_position());
+  vec2 noise = r2_offset(noise_position());
   float z_search = nearest_blocker_bound(light, receiver);
   float z_blocker = mean_blocker_distance(light, receiver, noise, z_search);
   return visible_share(light, receiver, z_blocker, z_blocker < receiver.p_light.z, noise);
