@@ -4,6 +4,7 @@
 // changed.
 #include "core/error.h"
 #include "core/image_io.h"
+#include "realtime/manifest/technique.h"
 #include "realtime/realtime.h"
 #include "reference/reference.h"
 #include "scenes/load_scene.h"
@@ -11,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <string_view>
@@ -91,7 +93,9 @@ TEST_P(GoldenTechnique, LooksAsBefore) {
   }
   RenderRequest request = kSmall;
   request.technique = GetParam();
-  request.parameters["map_size"] = int64_t{512};
+  const Technique technique = find_technique(GetParam(), kRoot / "realtime/techniques");
+  if (std::ranges::find(technique.parameters, "map_size", &Parameter::name) != technique.parameters.end())
+    request.parameters["map_size"] = int64_t{512};
   SilentProgress progress;
   const Frame frame = renderer->render(library_scene("contact_hardening"), request, progress);
   if (frame.device.find("llvmpipe") == std::string::npos)
@@ -101,7 +105,7 @@ TEST_P(GoldenTechnique, LooksAsBefore) {
 
 INSTANTIATE_TEST_SUITE_P(BuiltIn, GoldenTechnique,
                          testing::Values("hard", "pcf", "pcss", "accumulate", "pcf_temporal", "pcss_temporal",
-                                         "msm6"),
+                                         "msm6", "ray_traced"),
                          [](const auto& instance) { return instance.param; });
 
 TEST(GoldenReference, ContactHardeningLooksAsBefore) {
