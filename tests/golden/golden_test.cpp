@@ -105,7 +105,7 @@ TEST_P(GoldenTechnique, LooksAsBefore) {
 
 INSTANTIATE_TEST_SUITE_P(BuiltIn, GoldenTechnique,
                          testing::Values("hard", "pcf", "pcss", "accumulate", "pcf_temporal", "pcss_temporal",
-                                         "msm6", "ray_traced"),
+                                         "msm6", "ray_traced", "ray_traced_svgf"),
                          [](const auto& instance) { return instance.param; });
 
 TEST(GoldenReference, ContactHardeningLooksAsBefore) {

@@ -90,6 +90,65 @@ TEST(RayTraced, MeetsNotTheTriangleThatItLeaves) {
   EXPECT_GT(lit, v.size() / 4);
 }
 
+TEST(Svgf, LeavesLittleOfTheNoiseOfOneRay) {
+  UMBRAMETER_REQUIRE_GL();
+  for (const LightType type : {LightType::rect, LightType::sun}) {
+    const Light light = light_at_4(type, 1.2);
+    const double one = half_plane_error(light, "ray_traced", rays(1));
+    EXPECT_LT(half_plane_error(light, "ray_traced_svgf", {}), 0.1 * one) << to_text(type);
+  }
+}
+
+// Where nothing is noisy the filter changes nothing: edges of hard shadows stay.
+TEST(Svgf, KeepsWhatHasNoNoise) {
+  UMBRAMETER_REQUIRE_GL();
+  const Scene scene = busy_scene(light_at_4(LightType::disk, 1e-4));
+  const auto sharp = visibility(scene, "ray_traced", rays(4));
+  EXPECT_LT(mean_difference(visibility(scene, "ray_traced_svgf"), sharp), 1e-3);
+}
+
+// Noise is what two seeds differ by.
+TEST(Svgf, FiltersMoreWithMoreLevels) {
+  UMBRAMETER_REQUIRE_GL();
+  const Scene scene = half_plane_scene(light_at_4(LightType::rect, 1.2));
+  const auto noise = [&](int64_t levels) {
+    const ParameterValues values{{"levels", levels}, {"history_frames", int64_t{1}}};
+    return mean_difference(visibility(scene, "ray_traced_svgf", values, 1),
+                           visibility(scene, "ray_traced_svgf", values, 2));
+  };
+  const double one = noise(1), three = noise(3);
+  EXPECT_LT(three, 0.5 * one);
+  EXPECT_LT(noise(5), 0.9 * three);
+}
+
+/// How many frames the mean of each pixel of the floor is of.
+std::vector<float> frames_of(Scene scene, std::string_view motion) {
+  const auto renderer = make_realtime_renderer(
+      {source_dir() / "realtime" / "techniques", source_dir() / "realtime" / "shaders", ""});
+  scene.motion = standard_motion(motion, scene);
+  const RenderRequest request{160, 90, 1, "ray_traced_svgf", {}};
+  SilentProgress progress;
+  const Image kept = dump_resource(*renderer, scene, request, {"kept", 0, 0}, progress);
+  const Image covered = dump_resource(*renderer, scene, request, {"gbuffer.position", 0, 0}, progress);
+  std::vector<float> frames;
+  for (size_t i = 0; i < kept.plane("G").size(); ++i)
+    if (covered.plane("A")[i] != 0.0f) frames.push_back(kept.plane("G")[i]);
+  return frames;
+}
+
+TEST(Svgf, BeginsAnewWhereSurfacesComeIntoView) {
+  UMBRAMETER_REQUIRE_GL();
+  const auto share_of = [](const std::vector<float>& frames, float count) {
+    const auto found = std::ranges::count_if(frames, [&](float n) { return std::abs(n - count) < 0.5f; });
+    return static_cast<double>(found) / static_cast<double>(frames.size());
+  };
+  EXPECT_EQ(share_of(frames_of(plate_scene(), "still"), 5.0f), 1.0);
+  EXPECT_EQ(share_of(frames_of(plate_scene(), "cut"), 1.0f), 1.0);
+  const std::vector<float> pan = frames_of(plate_scene(), "pan");
+  EXPECT_GT(share_of(pan, 5.0f), 0.7);
+  EXPECT_GT(share_of(pan, 1.0f), 3.0 / 160.0);
+}
+
 /// Of the picture averaged over 4 x 4 pixels: what is left of noise that the eye blurs.
 double coarse_error(const std::vector<float>& v, const std::vector<float>& limit) {
   constexpr size_t kWidth = 160, kHeight = 88, kBlock = 4;

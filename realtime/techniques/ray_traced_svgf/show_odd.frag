@@ -1,0 +1,3 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the last level left.
+void main() { out_visibility = texelFetch(odd, ivec2(gl_FragCoord.xy), 0).r; }
