@@ -4,8 +4,8 @@
 #include "core/hash.h"
 #include "core/image_io.h"
 #include "lab/stored_truth.h"
-#include "results/json_parts.h"
-#include "results/run_json.h"
+#include "results/json/json_parts.h"
+#include "results/json/run_json.h"
 #include "scenes/scene_hash.h"
 
 #include <nlohmann/json.hpp>
