@@ -14,6 +14,11 @@ Moments held_at(vec2 uv) {
   return Moments(vec3(low.x, middle.x, high.x), vec3(low.y, middle.y, high.y));
 }
 
+/// Without what the bias itself can put before the receiver: all of it at most.
+float blocked_share(Moments m, float t) {
+  return clamp((least_share_before(biased(m, moment_bias), t) - moment_bias) / (1.0 - moment_bias), 0.0, 1.0);
+}
+
 /// The least distance that the blur and the bilinear read can hold of the receiver's own plane, as steep as is lit at most.
 float least_plane_distance(Receiver receiver) {
   float z = receiver.p_light.z;
@@ -29,8 +34,8 @@ float visibility_of(Receiver receiver) {
   if (any(lessThan(p_texels, vec2(0.0))) || any(greaterThan(p_texels, moments_low_size.xy))) return 1.0;
   float z = least_plane_distance(receiver) - receiver.bias_world;
   float t = 2.0 * normalized_distance(view_light, z) - 1.0;
-  Moments m = biased(decoded(held_at(p_texels * moments_low_size.zw)), moment_bias);
-  return without_bleeding(1.0 - least_share_before(m, t), bleed_reduction);
+  float blocked = blocked_share(decoded(held_at(p_texels * moments_low_size.zw)), t);
+  return without_bleeding(1.0 - blocked, bleed_reduction);
 }
 
 void main() {
