@@ -194,8 +194,7 @@ std::string blocker_truth(const PreludeInputs& inputs) {
 
 std::string vertex_prelude(const PreludeInputs& inputs) {
   return defines(inputs.technique, inputs.values) + std::string(kFrameBlockGlsl) + uniform_blocks(inputs) +
-         view_blocks(inputs) + samplers(inputs) + buffer_blocks(inputs) +
-         scene_blocks(inputs);
+         view_blocks(inputs) + samplers(inputs) + buffer_blocks(inputs) + scene_blocks(inputs);
 }
 
 std::string fragment_prelude(const PreludeInputs& inputs) {
