@@ -22,7 +22,8 @@ inline constexpr unsigned kLoopBinding = 2;
 inline constexpr unsigned kFirstViewBinding = 3;
 inline constexpr unsigned kHistoryBinding = 35;  // the last of the 36 that every GL has
 
-/// Storage bindings of a pass's buffers, after those of the scene (realtime/harness/scene_buffers.h) and those that the pass reads (realtime/graph/scene_read.h). Pass by pass: GL promises 8.
+/// Storage bindings of a pass's buffers, after those of the scene (realtime/harness/scene_buffers.h) and its data that the
+/// pass reads (realtime/graph/scene_read.h). Pass by pass: GL promises 8.
 inline constexpr unsigned kFirstStorageBinding = 5;
 
 /// A storage buffer as a pass's shaders see it.

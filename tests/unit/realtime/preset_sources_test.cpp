@@ -228,6 +228,13 @@ const SourceConstant kConstants[] = {
     {"edge_mask_quantised", "paper-c-235", "threshold_3", 0.8, 1, "Evans, Agenjo and Blat, 4.4"},
     {"edge_mask_quantised", "paper-c-235", "width_1_texels", 2, 1, "Evans, Agenjo and Blat, table 1"},
     {"edge_mask_quantised", "paper-c-235", "width_3_texels", 5, 1, "Evans, Agenjo and Blat, table 1"},
+    {"ray_traced_svgf", "schied-2017", "samples", 1, 1, "SVGF, section 1: one path a pixel"},
+    {"ray_traced_svgf", "schied-2017", "history_frames", 5, 1, "SVGF, section 4.1: 1 / alpha, which is 0.2"},
+    {"ray_traced_svgf", "schied-2017", "levels", 5, 1, "SVGF, section 4.3: five iterations"},
+    {"ray_traced_svgf", "schied-2017", "short_history", 4, 1, "SVGF, section 4.2: fewer than four frames"},
+    {"ray_traced_svgf", "schied-2017", "sigma_depth", 1, 1, "SVGF, section 4.4"},
+    {"ray_traced_svgf", "schied-2017", "sigma_normal", 128, 1, "SVGF, section 4.4"},
+    {"ray_traced_svgf", "schied-2017", "sigma_visibility", 4, 1, "SVGF, section 4.4"},
 };
 
 /// Choices and switches without which the constants would mean something else.
