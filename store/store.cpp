@@ -19,8 +19,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array<std::string_view, 9> kEntryKinds{
-    "run", "reference", "parity", "verdict", "scene", "device", "page", "answer", "frame"};
+constexpr std::array<std::string_view, 9> kEntryKinds{"run",    "reference", "parity", "verdict", "scene",
+                                                      "device", "page",      "answer", "frame"};
 
 /// Checked and repaired before anything is opened.
 fs::path prepared(const fs::path& folder, Database::Mode mode, std::vector<std::string>& warnings) {

@@ -36,7 +36,8 @@ void decide_by_store(const Planner& planner, PlanStep& step) {
   const StoredRun stored = find_run(*planner.store, step.key, planner.plan.timing);
   if (!stored.record) return decide(step, StepAction::render, stored.lack);
   const std::string date = stored.record->head.started.substr(0, kDateLength);
-  decide(step, StepAction::reuse, fmt::format("{} on {}", stored.record->result.failure ? "failed for good" : "stored", date));
+  decide(step, StepAction::reuse,
+         fmt::format("{} on {}", stored.record->result.failure ? "failed for good" : "stored", date));
 }
 
 PlanStep plan_run(Planner& planner, const StudyScene& job, const std::string& reference, size_t index) {
