@@ -3,8 +3,7 @@
 
 #include "core/error.h"
 
-#include <algorithm>
-#include <cstdint>
+#include <OpenImageIO/strutil.h>
 
 namespace umbrameter {
 
@@ -25,20 +24,7 @@ std::string fill_template(std::string_view page,
 }
 
 std::string encode_base64(std::string_view bytes) {
-  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (size_t i = 0; i < bytes.size(); i += 3) {
-    uint32_t group = 0;
-    for (size_t k = 0; k < 3; ++k) {
-      group = group << 8 | (i + k < bytes.size() ? static_cast<uint8_t>(bytes[i + k]) : 0U);
-    }
-    const size_t present = std::min<size_t>(3, bytes.size() - i);
-    for (size_t k = 0; k < 4; ++k) {
-      text += k <= present ? kDigits[group >> (18 - 6 * k) & 63U] : '=';
-    }
-  }
-  return text;
+  return OIIO::Strutil::base64_encode({bytes.data(), bytes.size()});
 }
 
 }  // namespace umbrameter

@@ -4,6 +4,7 @@
 #include "core/error.h"
 #include "report/html.h"
 
+#include <Imath/half.h>
 #include <zlib.h>
 
 #include <algorithm>
@@ -42,16 +43,7 @@ PlaneCode range_code(std::span<const float> values) {
 }
 
 uint16_t to_half(float value) {
-  constexpr double kInfinityFrom = 65520.0;  // above the largest half, 65504, by half of its last place
-  constexpr uint16_t kInfinity = 0x7C00;
-  constexpr int kSmallestExponent = -14;
-  if (!(value > 0.0f)) return 0;
-  const auto x = static_cast<double>(value);
-  if (x >= kInfinityFrom) return kInfinity;
-  const int exponent = std::max(std::ilogb(x), kSmallestExponent);
-  const auto mantissa =
-      static_cast<int>(std::nearbyint(std::ldexp(x, 10 - exponent)));  // 1024 to 2048, or subnormal
-  return static_cast<uint16_t>(((exponent - kSmallestExponent) << 10) + mantissa);
+  return value > 0.0f ? Imath::half(value).bits() : 0;
 }
 
 std::string pack_bytes(std::span<const uint8_t> bytes) {

@@ -6,8 +6,12 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <pugixml.hpp>
 
 #include <algorithm>
+#include <map>
+#include <span>
+#include <sstream>
 
 namespace umbrameter {
 namespace {
@@ -49,49 +53,49 @@ OrderedJson case_json(const RegressCase& one) {
           {"gate", gate_json(one.verdict.gate)}};
 }
 
-std::string xml_escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool is_allowed = byte >= 0x20 || c == '\t' || c == '\n' || c == '\r';
-    if (c == '&') {
-      out += "&amp;";
-    } else if (c == '<') {
-      out += "&lt;";
-    } else if (c == '>') {
-      out += "&gt;";
-    } else if (c == '"') {
-      out += "&quot;";
-    } else {
-      out += is_allowed ? c : '?';
-    }
-  }
-  return out;
-}
-
 // Bytes that are no UTF-8 would make the file unreadable; JSON's writer replaces them.
 std::string as_utf8(const std::string& text) {
   const std::string written = OrderedJson(text).dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
   return OrderedJson::parse(written).get<std::string>();
 }
 
+/// XML has no other control characters, even escaped.
 std::string xml_text(const std::string& text) {
-  return xml_escaped(as_utf8(text));
+  std::string out = as_utf8(text);
+  const auto is_forbidden = [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return byte < 0x20 && c != '\t' && c != '\n' && c != '\r';
+  };
+  std::ranges::replace_if(out, is_forbidden, '?');
+  return out;
 }
 
-std::string test_case(const RegressCase& one) {
-  std::string text =
-      fmt::format("    <testcase classname=\"{}\" name=\"{}\">\n", xml_text(one.scene), xml_text(one.label));
-  if (one.verdict.outcome == CaseOutcome::fail)
-    text += fmt::format("      <failure type=\"{}\" message=\"{}\"></failure>\n", xml_text(one.verdict.kind),
-                        xml_text(one.verdict.message));
+void set(pugi::xml_node node, const char* name, const std::string& value) {
+  node.append_attribute(name).set_value(xml_text(value).c_str());
+}
+
+void set_counts(pugi::xml_node node, std::span<const RegressCase> cases) {
+  const auto fails = [](const RegressCase& one) { return one.verdict.outcome == CaseOutcome::fail; };
+  set(node, "tests", std::to_string(cases.size()));
+  set(node, "failures", std::to_string(std::ranges::count_if(cases, fails)));
+}
+
+void add_case(const RegressCase& one, pugi::xml_node suite) {
+  pugi::xml_node test = suite.append_child("testcase");
+  set(test, "classname", one.scene);
+  set(test, "name", one.label);
+  if (one.verdict.outcome == CaseOutcome::fail) {
+    pugi::xml_node failure = test.append_child("failure");
+    set(failure, "type", one.verdict.kind);
+    set(failure, "message", one.verdict.message);
+  }
   std::string notes =
       fmt::format("{}; {} samples per pixel, {} of them added; {} pictures", name_of(one.verdict.outcome),
                   one.samples_per_pixel, one.added_samples_per_pixel, one.pictures);
   if (one.verdict.outcome != CaseOutcome::fail && !one.verdict.message.empty())
     notes += "\n" + one.verdict.message;
   for (const std::string& note : one.notes) notes += "\n" + note;
-  return text + "      <system-out>" + xml_text(notes) + "</system-out>\n    </testcase>\n";
+  test.append_child("system-out").text().set(xml_text(notes).c_str());
 }
 
 }  // namespace
@@ -121,26 +125,28 @@ std::string regress_json(const RegressResults& results) {
 }
 
 std::string junit_xml(const RegressResults& results) {
+  pugi::xml_document document;
+  pugi::xml_node declaration = document.append_child(pugi::node_declaration);
+  set(declaration, "version", "1.0");
+  set(declaration, "encoding", "UTF-8");
+  pugi::xml_node suites = document.append_child("testsuites");
+  set(suites, "name", results.suite);
+  set_counts(suites, results.cases);
+  std::map<std::string, std::vector<RegressCase>> cases;
   std::vector<std::string> scenes;
   for (const RegressCase& one : results.cases) {
-    if (std::ranges::find(scenes, one.scene) == scenes.end()) scenes.push_back(one.scene);
+    if (!cases.contains(one.scene)) scenes.push_back(one.scene);
+    cases[one.scene].push_back(one);
   }
-  std::string text = fmt::format(
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"{}\" tests=\"{}\" failures=\"{}\">\n",
-      xml_text(results.suite), results.cases.size(), results.count(CaseOutcome::fail));
   for (const std::string& scene : scenes) {
-    size_t tests = 0, failures = 0;
-    std::string cases;
-    for (const RegressCase& one : results.cases) {
-      if (one.scene != scene) continue;
-      ++tests;
-      failures += one.verdict.outcome == CaseOutcome::fail ? 1 : 0;
-      cases += test_case(one);
-    }
-    text += fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\">\n{}  </testsuite>\n",
-                        xml_text(scene), tests, failures, cases);
+    pugi::xml_node suite = suites.append_child("testsuite");
+    set(suite, "name", scene);
+    set_counts(suite, cases[scene]);
+    for (const RegressCase& one : cases[scene]) add_case(one, suite);
   }
-  return text + "</testsuites>\n";
+  std::ostringstream text;
+  document.save(text, "  ");
+  return text.str();
 }
 
 }  // namespace umbrameter
