@@ -29,9 +29,10 @@ void hash_holes(Hasher& hasher, std::span<const Cutout> cutouts, std::span<const
     hasher.number(mask.width).number(mask.height).values(std::span<const uint32_t>(mask.bits));
 }
 
-/// Nothing for a scene that stands still.
+/// Nothing for a scene that stands still as long as its techniques like.
 void hash_motion(Hasher& hasher, const Motion& motion) {
   const Motion still;
+  if (motion.frames_before) hasher.text("frames before").number(*motion.frames_before);
   if (motion.name == still.name) return;
   hasher.text(motion.name).number(motion.camera_step_px.x).number(motion.camera_step_px.y);
   for (const glm::dvec3& step : {motion.camera_step_world, motion.light_step_world, motion.object_step_world})
