@@ -234,8 +234,8 @@ int validate(const ValidateOptions& options, const GlobalOptions& global) {
   LazyRenderer reference([&] { return open_reference_renderer(global, quality.picture, !options.no_skip); });
   const Makers makers{kReferenceMaker, realtime.identity(), hash_folder(home.shaders)};
   ValidationCache cache(store, makers, !options.no_reuse);
-  StoredFrames frames(realtime.renderer(), store, makers, hash_of_technique, {.keep_runs = false},
-                      staging.folder());
+  StoredFrames frames(realtime.renderer(), store, makers, hash_of_technique,
+                      {.keep_runs = false, .keep_surfaces = false}, staging.folder());
   const bool draws_all = options.no_reuse || options.no_skip;
   ProgressBar progress;
   Workload work = open_scenes(options.scenes, search, store, progress);

@@ -78,7 +78,9 @@ void keep_truth(Store& store, const std::string& key, ReferenceRecord record, co
 std::string keep_image(Store& store, const Image& image, const std::filesystem::path& scratch) {
   const std::filesystem::path file = scratch / "image.exr";
   write_exr(file, image);
-  return store.keep(file);
+  const std::string object = store.keep(file);
+  std::filesystem::remove(file);
+  return object;
 }
 
 }  // namespace umbrameter

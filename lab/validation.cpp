@@ -155,6 +155,8 @@ void measure(const SceneWork& work, SceneResult& scene, std::vector<TechniqueFra
   Image reference;
   if (!all_failed) reference = require_reference(context, scene);
   if (work.cache != nullptr) work.cache->keep_truth(work.source, work.plan, work.folder, scene);
+  if (work.cache != nullptr && scene.reference && !surfaces.image.planes.empty())
+    work.cache->keep_surfaces(work.source, work.plan, work.folder, surfaces);
   if (scene.reference && !scene.parity && !all_failed)
     compare_renderers(context, surfaces.image, reference, scene);
   if (work.cache != nullptr) work.cache->keep_parity(work.source, work.plan, work.folder, scene);

@@ -4,6 +4,7 @@
 #include "core/hash.h"
 #include "core/version.h"
 #include "lab/stored_frames.h"
+#include "lab/stored_truth.h"
 #include "lab/validated.h"
 #include "results/json/causes_json.h"
 #include "results/json/json_parts.h"
@@ -169,6 +170,14 @@ void ValidationCache::keep_parity(const SceneSource& source, const ValidationPla
   if (!scene.parity || !kept_.insert(key).second) return;
   const ParityNumbers parity = kept(store_.store(), folder, *scene.parity);
   store_.store().put({key, EntryKind::parity, parity_json(parity).dump()});
+}
+
+void ValidationCache::keep_surfaces(const SceneSource& source, const ValidationPlan& plan,
+                                    const fs::path& folder, const Frame& surfaces) {
+  const std::string key =
+      frame_key(source.description.hash, source.active_light, request_of(plan.picture), {}, makers_);
+  if (!plan.motion.empty() || store_.find(key)) return;
+  keep_frame(store_.store(), key, surfaces, std::vector{keep_image(store_.store(), surfaces.image, folder)});
 }
 
 void ValidationCache::keep_run(const SceneSource& source, const ValidationPlan& plan, const fs::path& folder,

@@ -31,6 +31,9 @@ class ValidationCache {
   void keep_parity(const SceneSource& source, const ValidationPlan& plan, const std::filesystem::path& folder,
                    const SceneResult& scene);
   /// Runs that were not compared and failures that may pass are not kept.
+  /// The picture without shadows that parity is of, which other verbs look at, too.
+  void keep_surfaces(const SceneSource& source, const ValidationPlan& plan,
+                     const std::filesystem::path& folder, const Frame& surfaces);
   void keep_run(const SceneSource& source, const ValidationPlan& plan, const std::filesystem::path& folder,
                 const SceneResult& scene, const TechniqueFrame& run);
 

@@ -72,7 +72,7 @@ TEST_F(StoredFramesTest, WhateverChangesThePictureDrawsAnother) {
       [&] { request_.technique = "hard"; },
       [&] { request_.parameters["bias"] = 0.25; },
       [&] { scene_.camera.eye_world.x += 1.0; },
-      [&] { scene_.lights.front().position_world.x += 1.0; },
+      [&] { scene_.lights.at(0).center_world.x += 1.0; },
       [&] { scene_.motion.frames_before = 3; },
       [&] { scene_.motion.frames_before = 4; },
       [&] { scene_.motion = standard_motion("pan", scene_); }};
