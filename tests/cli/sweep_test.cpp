@@ -91,7 +91,7 @@ class GlSweepCommand : public SweepCommand {
 TEST_F(GlSweepCommand, GoesOnAfterKillWithoutRepeatingWork) {
   write_study();
   size_t done = 0;
-  for (const size_t images : {4u, 8u}) {
+  for (const size_t images : {12u, 24u}) {
     kill_sweep("killed", images);
     const size_t stored = numbers("killed").size();
     EXPECT_GE(stored, done);
@@ -118,7 +118,7 @@ TEST_F(GlSweepCommand, PartsMergedAreTheWhole) {
   EXPECT_EQ(json({"sweep", "study.toml", "--out", "b", "--shard", "2/3"})["rendered"], 8);
   EXPECT_EQ(json({"sweep", "study.toml", "--out", "b", "--shard", "3/3"})["rendered"], 8);
   const Json merged = json({"merge", "a", "b", "--out", "c"});
-  EXPECT_EQ(merged["added"], kRuns + 4);  // a truth and its parity a scene
+  EXPECT_EQ(merged["added"], 2 * kRuns + 4);  // each with its frame; per scene a truth and its parity
   EXPECT_EQ(merged["present"], 2);
   json({"sweep", "study.toml", "--out", "whole"});
   EXPECT_EQ(numbers("c").size(), kRuns);
