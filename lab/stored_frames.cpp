@@ -87,17 +87,21 @@ std::string StoredFrames::key_of(const Scene& scene, const RenderRequest& reques
   return frame_key(hash_scene(scene), scene.active_light, request, hash, makers_);
 }
 
+const Image& StoredFrames::part(const std::string& object, Image& made) {
+  if (last_object_ == object) return last_surfaces_;
+  made = read_image(store_.store().path_of(object));
+  if (!made.has("primitive_id")) return made;
+  last_object_ = object;
+  return last_surfaces_ = std::move(made);
+}
+
 void StoredFrames::add_part(const std::string& object, Image& image) {
-  if (last_object_ != object) {
-    Image part = read_image(store_.store().path_of(object));
-    image.width = part.width;
-    image.height = part.height;
-    image.metadata.insert(part.metadata.begin(), part.metadata.end());
-    if (!part.has("primitive_id")) return image.planes.merge(part.planes);
-    last_surfaces_ = std::move(part.planes);
-    last_object_ = object;
-  }
-  image.planes.insert(last_surfaces_.begin(), last_surfaces_.end());
+  Image made;
+  const Image& found = part(object, made);
+  image.width = found.width;
+  image.height = found.height;
+  image.metadata.insert(found.metadata.begin(), found.metadata.end());
+  image.planes.insert(found.planes.begin(), found.planes.end());
 }
 
 std::optional<Frame> StoredFrames::find(const std::string& key) {
@@ -116,8 +120,7 @@ std::optional<Frame> StoredFrames::find(const std::string& key) {
 }
 
 void StoredFrames::keep(const std::string& key, const RenderRequest& request, const Frame& frame) {
-  const bool is_wanted = request.technique.empty() ? use_.keep_surfaces : use_.keep_runs;
-  if (key.empty() || !is_wanted) return;
+  if (key.empty() || !keeps(request)) return;
   std::vector<std::string> objects;
   for (const auto& [group, part] : parts_of(frame.image)) {
     std::string& object = kept_[hash_of(part)];
@@ -140,8 +143,9 @@ Frame StoredFrames::render(const Scene& scene, const RenderRequest& request, Pro
 
 PreparedRun StoredFrames::prepare(const Scene& scene, const RenderRequest& request, Progress& progress) {
   PreparedRun run = renderer_.prepare(scene, request, progress);
+  if (!keeps(request)) return run;
   const std::string key = key_of(scene, request);
-  if (!key.empty() && !store_.find(key)) keep(key, request, run.frame);
+  if (!store_.find(key)) keep(key, request, run.frame);
   return run;
 }
 

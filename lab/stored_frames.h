@@ -15,7 +15,6 @@
 #include <span>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace umbrameter {
 
@@ -57,6 +56,11 @@ class StoredFrames final : public Renderer {
   /// Empty: not kept.
   std::string key_of(const Scene& scene, const RenderRequest& request);
   std::optional<Frame> find(const std::string& key);
+  bool keeps(const RenderRequest& request) const {
+    return request.technique.empty() ? use_.keep_surfaces : use_.keep_runs;
+  }
+  /// Read into `made`, or the last surfaces.
+  const Image& part(const std::string& object, Image& made);
   void add_part(const std::string& object, Image& image);
   void keep(const std::string& key, const RenderRequest& request, const Frame& frame);
 
@@ -70,7 +74,7 @@ class StoredFrames final : public Renderer {
   std::map<std::string, std::string> hashes_;  // of techniques
   std::map<std::string, std::string> kept_;    // object by the hash of its planes
   std::string last_object_;                    // of surfaces, which runs of a view share
-  std::map<std::string, std::vector<float>, std::less<>> last_surfaces_;
+  Image last_surfaces_;
 };
 
 }  // namespace umbrameter

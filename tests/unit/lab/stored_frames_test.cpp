@@ -2,7 +2,9 @@
 // Without these a picture could be drawn twice, or one be taken for another: of another moment, scene, technique or device.
 
 #include "lab/stored_frames.h"
+#include "lab/stored_truth.h"
 #include "scenes/motion.h"
+#include "scenes/scene_hash.h"
 #include "tests/support/lab/fakes.h"
 #include "tests/support/temporary_folder.h"
 
@@ -99,6 +101,44 @@ TEST_F(StoredFramesTest, SearchesKeepSurfacesAlone) {
   render({.keep_runs = false});
   render({.keep_runs = false});
   EXPECT_EQ(drawn(), 3u);
+}
+
+TEST_F(StoredFramesTest, SurfacesFoundAgainByOneRendererAreWhole) {
+  request_.technique.clear();
+  const Frame drawn_frame = render();
+  LazyStore store(folder_.path());
+  StoredFrames frames(
+      renderer_, store, {"tracer", "device 1", "shaders"}, [](const std::string&) { return std::string(); },
+      {}, folder_.path());
+  for (int i = 0; i < 2; ++i) {
+    const Image image = frames.render(scene_, request_, progress_).image;
+    EXPECT_EQ(image.width, drawn_frame.image.width);
+    EXPECT_EQ(image.height, drawn_frame.image.height);
+    EXPECT_EQ(image.planes, drawn_frame.image.planes);
+    EXPECT_EQ(image.metadata, drawn_frame.image.metadata);
+  }
+  EXPECT_EQ(drawn(), 1u);
+}
+
+TEST_F(StoredFramesTest, AFrameKeptAsOneImageIsFoundTwiceTheSame) {
+  const Frame frame = render();
+  {
+    LazyStore store(folder_.path());
+    const std::string key = frame_key(hash_scene(scene_), scene_.active_light, request_, "pcfhash",
+                                      {"tracer", "device 1", "shaders"});
+    const std::string object = keep_image(store.store(), frame.image, folder_.path());
+    keep_frame(store.store(), key, frame, std::vector{object});
+  }
+  LazyStore store(folder_.path());
+  StoredFrames frames(
+      renderer_, store, {"tracer", "device 1", "shaders"},
+      [](const std::string& technique) { return technique + "hash"; }, {}, folder_.path());
+  for (int i = 0; i < 2; ++i) {
+    const Image image = frames.render(scene_, request_, progress_).image;
+    EXPECT_EQ(image.width, frame.image.width);
+    EXPECT_EQ(image.planes, frame.image.planes);
+  }
+  EXPECT_EQ(drawn(), 1u);
 }
 
 TEST_F(StoredFramesTest, WithoutReuseItIsDrawnAndReplaced) {
