@@ -95,10 +95,10 @@ int sweep(const SweepOptions& options, const GlobalOptions& global) {
   if (global.out.empty()) fail_input("a sweep needs a folder to keep its results in", {}, "give --out DIR");
   ProgressBar progress;
   LoadedSweep loaded = load(options, global, progress);
-  LazyStore late(global.out);
-  Store& store = late.store();
+  LazyStore lazy_store(global.out);
+  Store& store = lazy_store.store();
   const Staging scratch(std::filesystem::temp_directory_path());
-  StoredFrames frames(*loaded.realtime, late, loaded.plan.makers, hash_of_technique,
+  StoredFrames frames(*loaded.realtime, lazy_store, loaded.plan.makers, hash_of_technique,
                       {.find = !options.no_reuse}, scratch.folder());
   set_interruption_note("interrupted; what was done is stored, the same command goes on from there");
   int code = kExitFine;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "lab/answers.h"
 
+#include "results/json/json_optional.h"
+
 #include <nlohmann/json.hpp>
 
 #include <utility>
@@ -8,15 +10,13 @@
 namespace umbrameter {
 
 bool Answers::find(const std::string& key, const std::function<void(const nlohmann::json&)>& read) {
-  const auto text = store_ != nullptr && reuse_ ? store_->find(key) : std::nullopt;
-  if (!text) return false;
-  try {
-    read(nlohmann::json::parse(*text));
-  } catch (const nlohmann::json::exception&) {
-    return false;
-  }
-  ++reused_;
-  return true;
+  if (store_ == nullptr || !reuse_) return false;
+  const auto found = read_json(store_->find(key), [&](const nlohmann::json& json) {
+    read(json);
+    return std::optional(true);
+  });
+  if (found) ++reused_;
+  return found.has_value();
 }
 
 void Answers::keep(const std::string& key, const nlohmann::ordered_json& answer) {

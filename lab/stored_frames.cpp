@@ -4,6 +4,7 @@
 #include "core/hash.h"
 #include "core/image_io.h"
 #include "lab/stored_truth.h"
+#include "results/json/json_optional.h"
 #include "results/json/json_parts.h"
 #include "results/json/run_json.h"
 #include "scenes/scene_hash.h"
@@ -106,17 +107,12 @@ void StoredFrames::add_part(const std::string& object, Image& image) {
 
 std::optional<Frame> StoredFrames::find(const std::string& key) {
   if (key.empty() || !use_.find) return std::nullopt;
-  const auto text = store_.find(key);
-  if (!text) return std::nullopt;
-  try {
-    const nlohmann::json json = nlohmann::json::parse(*text);
+  return read_json(store_.find(key), [&](const nlohmann::json& json) {
     Frame frame = read_frame(json);
     for (const nlohmann::json& object : json.at("images")) add_part(object, frame.image);
     frame.image.planes.erase("scored");  // a score's, which a kept picture has beside its own
-    return frame;
-  } catch (const nlohmann::json::exception&) {  // another version wrote it
-    return std::nullopt;
-  }
+    return std::optional(std::move(frame));
+  });
 }
 
 void StoredFrames::keep(const std::string& key, const RenderRequest& request, const Frame& frame) {

@@ -52,6 +52,11 @@ std::vector<RunRecord> newest(std::vector<RunRecord> runs) {
 
 }  // namespace
 
+std::optional<RunRecord> find_record(Store& store, const std::string& key) {
+  const auto json = store.find(key);
+  return json ? parse_run_record(*json) : std::nullopt;
+}
+
 StoredRuns stored_runs(Store& store, bool all) {
   StoredRuns found;
   for (const Entry& entry : store.entries(EntryKind::run)) {

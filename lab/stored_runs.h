@@ -3,9 +3,16 @@
 // The runs that a store holds.
 
 #include "results/json/export.h"
+#include "results/json/record.h"
 #include "store/store.h"
 
+#include <optional>
+#include <string>
+
 namespace umbrameter {
+
+/// The run under a key. Absent where there is none that this version reads.
+std::optional<RunRecord> find_record(Store& store, const std::string& key);
 
 /// With `all` also those that were made again since. Without verdicts: see judge_runs.
 StoredRuns stored_runs(Store& store, bool all);

@@ -3,6 +3,7 @@
 
 #include "core/image_io.h"
 #include "lab/keys.h"
+#include "lab/stored_runs.h"
 #include "metrics/image/parity.h"
 
 #include <nlohmann/json.hpp>
@@ -12,11 +13,6 @@ namespace {
 
 constexpr double kSpentShare =
     0.2;  // of the budget: its first frame, by which the others are counted, is the slowest
-
-std::optional<RunRecord> find_record(Store& store, const std::string& key) {
-  const auto json = store.find(key);
-  return json ? parse_run_record(*json) : std::nullopt;
-}
 
 /// What a validation keeps of it; absent for failures and for runs that were not comparable.
 std::optional<RunRecord> find_validated(Store& store, const std::string& run) {
@@ -50,8 +46,8 @@ bool has_enough_frames(const TechniqueResult& run, const TimingPlan& timing) {
 
 std::optional<RunRecord> find_swept(LazyStore& store, const std::string& run, const ValidationPlan& plan) {
   if (plan.maps || plan.temporal_frames > 0 || plan.limit_rmse) return std::nullopt;
-  const auto json = store.find(run);
-  auto record = json ? parse_run_record(*json) : std::nullopt;
+  if (!store.exists()) return std::nullopt;
+  auto record = find_record(store.store(), run);
   if (!record || record->result.failure || !record->result.error) return std::nullopt;
   const bool lacks_faults = record->result.diagnosis && record->result.fault_picture_file.empty();
   if (lacks_faults || !has_enough_frames(record->result, {plan.timed_frames, plan.timing_budget_s}))

@@ -7,6 +7,7 @@
 #include "lab/stored_truth.h"
 #include "lab/validated.h"
 #include "results/json/causes_json.h"
+#include "results/json/json_optional.h"
 #include "results/json/json_parts.h"
 #include "results/json/judgement_json.h"
 #include "results/json/record.h"
@@ -86,16 +87,6 @@ Part kept(Store& store, const fs::path& folder, Part part) {
     place_object(store.folder(), slot.name, file);
   }
   return part;
-}
-
-template <class Read>
-auto read_json(const std::optional<std::string>& text, Read read) -> decltype(read(nlohmann::json())) {
-  if (!text) return std::nullopt;
-  try {
-    return read(nlohmann::json::parse(*text));
-  } catch (const nlohmann::json::exception&) {  // another version wrote it
-    return std::nullopt;
-  }
 }
 
 bool is_final(const TechniqueResult& run) {

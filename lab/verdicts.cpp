@@ -2,6 +2,7 @@
 #include "lab/verdicts.h"
 
 #include "core/image_io.h"
+#include "lab/stored_runs.h"
 #include "lab/stored_truth.h"
 
 #include <algorithm>
@@ -35,8 +36,7 @@ const RunRecord* labelled(std::span<const RunRecord> runs, const std::string& la
 }
 
 std::string label_of(Store& store, const std::string& key) {
-  const auto json = store.find(key);
-  const auto run = json ? parse_run_record(*json) : std::nullopt;
+  const auto run = find_record(store, key);
   return run ? run->result.label : "";
 }
 
@@ -58,8 +58,7 @@ std::vector<uint8_t> stored_mask(const Image& picture) {
 }
 
 std::optional<StoredPicture> find_picture(Store& store, const std::string& key) {
-  const auto json = store.find(key);
-  const auto run = json ? parse_run_record(*json) : std::nullopt;
+  const auto run = find_record(store, key);
   if (!run || run->result.failure || run->result.image_file.empty()) return std::nullopt;
   StoredPicture picture{read_image(store.path_of(run->result.image_file)), {}};
   picture.mask = stored_mask(picture.image);

@@ -27,7 +27,8 @@ GLint device_limit(GLenum name) {
 void require_bindings(const PassDeclaration& pass, const Targets& targets) {
   const auto images = std::ranges::count_if(
       pass.writes, [&](const std::string& name) { return targets.find(name) != nullptr; });
-  const auto buffers = buffer_slots(pass, targets.buffers()).size() + kFirstStorageBinding;
+  const std::vector<BufferSlot> slots = buffer_slots(pass, targets.buffers());
+  const size_t buffers = slots.empty() ? 0 : slots.back().binding + size_t{1};
   const auto require = [&](size_t needed, GLenum limit, std::string_view what) {
     if (needed > static_cast<size_t>(device_limit(limit)))
       fail_input(fmt::format("pass '{}' needs {} bindings of {}", pass.id, needed, what), pass.where,
