@@ -4,10 +4,22 @@
 #include "results/catalogue.h"
 #include "results/json/run_json.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace umbrameter {
 namespace {
+
+/// "error: 0.03 + 25 %": what may be added to the baseline's.
+std::string gate_text(const Metric& metric) {
+  if (!metric.gate) return "";
+  const GateLimit& limit = metric.gate->limit;
+  return fmt::format("{}: {:g} + {:g} %", name_of(metric.gate->kind), limit.excess, 100.0 * limit.share);
+}
+
+std::string term_text(const Metric& metric) {
+  return metric.term ? fmt::format("{} / {:g}", metric.term->name, metric.term->one) : "";
+}
 
 int print_metrics(const GlobalOptions& global) {
   if (global.json) {
@@ -16,8 +28,9 @@ int print_metrics(const GlobalOptions& global) {
   }
   std::vector<std::vector<std::string>> rows;
   for (const Metric& metric : metric_catalogue())
-    rows.push_back({metric.key, metric.group, metric.unit, std::string(name_of(metric.better)), metric.doc});
-  print_answer(format_table({"metric", "group", "unit", "better", "what it is"}, rows));
+    rows.push_back({metric.key, metric.group, metric.unit, std::string(name_of(metric.better)),
+                    gate_text(metric), term_text(metric), metric.doc});
+  print_answer(format_table({"metric", "group", "unit", "better", "gate", "in faults", "what it is"}, rows));
   return kExitFine;
 }
 

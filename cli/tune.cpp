@@ -244,7 +244,8 @@ void add_tune(CLI::App& app, CommandLine& line) {
   verb->add_option("--technique", options->technique,
                    "ID[:name=value,...]: what is not tuned stays as given here")
       ->required();
-  verb->add_option("--objective", options->objective, "rmse, penumbra or faults (docs/tuning.md)")
+  verb->add_option("--objective", options->objective,
+                   "rmse, penumbra, faults or a metric's key (docs/tuning.md; umbrameter metrics)")
       ->capture_default_str();
   verb->add_option("--parameters", options->parameters,
                    "names, separated by commas; default: all that may be tuned and do not count work")

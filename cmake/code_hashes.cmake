@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # cmake -DSOURCE_DIR=... -DOUTPUT=... -P code_hashes.cmake: writes store/code_hashes.h's constants, of what computes numbers and
-# nothing else: not how results are written (but for the rows that measure), not what report and cli do. Comments
+# nothing else: not how results are written (but for the rows of the catalogue), not what report and cli do. Comments
 # and formatting count, too: an edit that changes nothing costs a rendering, a change that goes unnoticed costs a wrong number.
 # hash_code(<variable> <room or file without its ending>...)
 function(hash_code variable)
@@ -27,11 +27,11 @@ endfunction()
 hash_code(reference core scenes reference)
 hash_code(realtime core scenes realtime engines)
 hash_code(scoring core metrics lab results/measured_rows)
-hash_code(regress metrics lab results/regress study/regress)
-hash_code(selftest metrics lab results/selftest study/stage study/fault_case study/selftest)
+hash_code(regress metrics lab results/catalogue results/measured_rows results/regress study/regress)
+hash_code(selftest metrics lab results/catalogue results/measured_rows results/selftest study/stage study/fault_case study/selftest)
 hash_code(traits study/traits)
-hash_code(stress metrics lab results/stress study/stress)
-hash_code(tune metrics lab results/tune study/tune)
+hash_code(stress metrics lab results/catalogue results/measured_rows results/stress study/stress)
+hash_code(tune metrics lab results/catalogue results/measured_rows results/tune study/tune)
 set(text "#include \"store/code_hashes.h\"
 
 namespace umbrameter {

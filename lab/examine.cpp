@@ -4,6 +4,7 @@
 #include "lab/score.h"
 #include "metrics/error/truth_check.h"
 #include "metrics/image/shadow_quantity.h"
+#include "results/catalogue.h"
 #include "results/measured.h"
 
 namespace umbrameter {
@@ -27,7 +28,7 @@ Examined examine(const Image& picture, const Image& truth, const glm::dvec3& eye
   out.run.truth_problems = truth_problems(truth, score.mask);
   out.run.error = score.error;
   out.run.diagnosis = score.diagnosis;
-  out.run.measured = score.measured;
+  out.run.measured = gate_measures(score);
   out.run.failure = score.no_diagnosis;
   out.mask = std::move(score.mask);
   out.fault_classes = std::move(score.fault_classes);

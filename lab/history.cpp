@@ -39,8 +39,9 @@ void measure_history(const SceneContext& context, const Image& reference, Techni
     std::vector<StillPicture> pictures;
     for (size_t i = 0; i < frames.size(); ++i) pictures.push_back({frames[i], &images[i]});
     const bool has_moved = run.result.motion != Motion{}.name;
-    run.result.measured =
+    const auto values =
         measure_rows({run.frame.image, reference, run.mask, has_moved ? &images.back() : nullptr, pictures});
+    for (const auto& [key, value] : values) run.result.measured[key] = value;
   });
   if (failure) run.result.warnings.push_back("not measured over frames: " + failure->message);
 }

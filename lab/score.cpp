@@ -26,6 +26,19 @@ const SimilarityReference& similarity_reference(const Image& reference, std::spa
   return *shared.similarity;
 }
 
+/// And its profiles, for rows that are measured from them; none without a diagnosis.
+std::vector<PenumbraProfile> add_diagnosis(const Image& test, const Image& reference, Score& score) {
+  std::vector<PenumbraProfile> profiles;
+  score.no_diagnosis = guarded([&] {
+    DiagnosedImage diagnosed = diagnose(test, reference, score.mask);
+    score.diagnosis = diagnosed.numbers;
+    if (score.maps) add_diagnosis_maps(diagnosed, score.mask, *score.maps);
+    score.fault_classes = std::move(diagnosed.classes);
+    profiles = std::move(diagnosed.profiles);
+  });
+  return profiles;
+}
+
 }  // namespace
 
 bool has_surfaces(const Image& image) {
@@ -64,7 +77,6 @@ Score score_image(const Image& test, const Image& reference, const glm::dvec3& e
   score.error = measure_visibility_error(test, reference, score.mask);
   if (score.error->scored_pixels == 0) return score;  // nothing is neither right nor alike
   if (reference.has("irradiance_half_a")) score.lit_rmse = measure_lit_error(test, reference, score.mask);
-  score.measured = measure_rows({test, reference, score.mask});
   if (settings.maps) score.maps = Image(test.width, test.height);
   Image* maps = score.maps ? &*score.maps : nullptr;
   if (settings.metrics.significance) {
@@ -77,13 +89,10 @@ Score score_image(const Image& test, const Image& reference, const glm::dvec3& e
   }
   if (settings.metrics.similarity)
     score.similarity = similarity_reference(reference, score.mask, truth).measure(test, maps);
-  if (!settings.metrics.diagnosis) return score;
-  score.no_diagnosis = guarded([&] {
-    DiagnosedImage diagnosed = diagnose(test, reference, score.mask);
-    score.diagnosis = diagnosed.numbers;
-    if (maps != nullptr) add_diagnosis_maps(diagnosed, score.mask, *maps);
-    score.fault_classes = std::move(diagnosed.classes);
-  });
+  std::vector<PenumbraProfile> profiles;
+  if (settings.metrics.diagnosis) profiles = add_diagnosis(test, reference, score);
+  score.measured =
+      measure_rows({.test = test, .reference = reference, .mask = score.mask, .profiles = profiles});
   return score;
 }
 

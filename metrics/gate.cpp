@@ -12,7 +12,8 @@ constexpr std::array<std::string_view, kGateClasses> kClassNames = {
     "failure",   "metric",         "truth",        "parity",     "light",
     "acne",      "terminator",     "extra_shadow", "resolution", "peter_panning",
     "bleed",     "geometric_leak", "lost_shadow",  "softness",   "penumbra_too_wide",
-    "hardening", "offset",         "noise",        "banding",    "error"};
+    "hardening", "offset",         "noise",        "banding",    "error",
+    "measured"};
 
 constexpr double kCoarser = 1.1;  // of the baseline's texels; less is how a map is laid over a scene
 
@@ -157,6 +158,12 @@ double from_texels(const GateRun& run, const GateRun* baseline) {
   return (std::clamp(*ratio, 1.0, kCoarser) - 1.0) * errs;
 }
 
+// How far a further measure is from right.
+std::optional<double> distance(const GateRun& run, const std::string& key, Better better) {
+  const auto found = run.measured.find(key);
+  return found == run.measured.end() ? std::nullopt : std::optional(badness(better, found->second));
+}
+
 template <class Key>
 const GateMeasure* largest(const std::vector<GateMeasure>& measures, size_t begin, size_t end,
                            const Key& key) {
@@ -243,10 +250,33 @@ std::optional<GateClass> main_fault(const std::vector<GateMeasure>& measures, co
   return error.exceeds() ? std::optional(GateClass::error) : std::nullopt;
 }
 
+// What no class stands for speaks where no class does.
+void name_further(GateVerdict& verdict, size_t begin) {
+  const GateMeasure* worst = largest(verdict.measures, begin, verdict.measures.size(),
+                                     [](const GateMeasure& m) { return m.severity(); });
+  if (verdict.kind || worst == nullptr) return;
+  verdict.kind = worst->kind;
+  verdict.key = worst->key;
+}
+
 }  // namespace
 
 std::string_view name_of(GateClass kind) {
   return kClassNames[static_cast<size_t>(kind)];
+}
+
+GateClass gate_class_of(FaultClass fault) {
+  const auto found = std::ranges::find(kFaults, fault, &FaultPair::fault);
+  return found == kFaults.end() ? GateClass::softness : found->kind;
+}
+
+std::string_view name_of(const GateMeasure& measure) {
+  return measure.kind == GateClass::measured ? measure.key : name_of(measure.kind);
+}
+
+std::string_view name_of(const GateVerdict& verdict) {
+  if (!verdict.kind) return {};
+  return *verdict.kind == GateClass::measured ? verdict.key : name_of(*verdict.kind);
 }
 
 double GateMeasure::severity() const {
@@ -277,8 +307,8 @@ GateVerdict judge_gate(const GateRun& run, const GateRun* baseline, bool worse, 
   for (const auto& [fault, kind] : kFaults) {
     const bool is_resolution = kind == GateClass::resolution;
     add(
-        kind, [fault = fault](const GateRun& r) { return fault_share(r, fault); },
-        is_resolution ? limits.resolution : limits.fault, is_resolution ? of_texels : moved);
+        kind, [fault = fault](const GateRun& r) { return fault_share(r, fault); }, limits.of(fault),
+        is_resolution ? of_texels : moved);
   }
   // The envelope's edge takes a shape whole or leaves it: what was explained before is no new error of penumbrae.
   const double named =
@@ -298,6 +328,15 @@ GateVerdict judge_gate(const GateRun& run, const GateRun* baseline, bool worse, 
   verdict.kind = main_fault(causes, verdict.measures.back(), hints);
   if (verdict.kind == GateClass::softness && is_too_wide(run, baseline, 0.5))
     verdict.kind = GateClass::penumbra_too_wide;
+  const size_t classes = verdict.measures.size();
+  for (const auto& [key, further] : limits.further) {
+    add(
+        GateClass::measured,
+        [&key = key, better = further.better](const GateRun& r) { return distance(r, key, better); },
+        further.limit);
+    verdict.measures.back().key = key;
+  }
+  name_further(verdict, classes);
   return verdict;
 }
 

@@ -29,7 +29,7 @@ OrderedJson numbers_json(const std::optional<BaselineRun>& run) {
 OrderedJson gate_json(const GateVerdict& gate) {
   OrderedJson measures = OrderedJson::array();
   for (const GateMeasure& m : gate.measures) {
-    measures.push_back({{"class", name_of(m.kind)},
+    measures.push_back({{"class", name_of(m)},
                         {"value", optional_json(m.value)},
                         {"baseline", optional_json(m.baseline)},
                         {"allowed", m.allowed},

@@ -25,7 +25,7 @@ std::optional<double> severity_of(const GateVerdict& verdict, GateClass kind) {
 }
 
 std::string kind_text(const GateVerdict& verdict) {
-  return verdict.kind ? std::string(name_of(*verdict.kind)) : "passes";
+  return verdict.passes() ? "passes" : std::string(name_of(verdict));
 }
 
 std::string cell(const std::optional<double>& severity) {
@@ -35,9 +35,9 @@ std::string cell(const std::optional<double>& severity) {
   return *severity > 1.0 ? "**" + text + "**" : text;
 }
 
-// Those that a measure decides; the others are names for what measures say together.
+// Those that one kind of measure decides; the others are names for what measures say together, or for any further one.
 bool is_measured(GateClass kind) {
-  return kind >= kFirstMeasured && kind != GateClass::penumbra_too_wide;
+  return kind >= kFirstMeasured && kind != GateClass::penumbra_too_wide && kind != GateClass::measured;
 }
 
 template <class Visit>
@@ -178,7 +178,7 @@ std::string hardening_table(const SelftestResults& results) {
 OrderedJson verdict_json(const GateVerdict& verdict) {
   OrderedJson measures = OrderedJson::array();
   for (const GateMeasure& m : verdict.measures) {
-    measures.push_back({{"class", name_of(m.kind)},
+    measures.push_back({{"class", name_of(m)},
                         {"value", optional_json(m.value)},
                         {"baseline", optional_json(m.baseline)},
                         {"allowed", m.allowed}});

@@ -16,7 +16,7 @@ namespace {
 using Value = std::optional<double>;
 using Run = TechniqueResult;
 
-constexpr std::array<std::string_view, 4> kBetterNames = {"lower", "higher", "nearest_zero", "nearest_one"};
+constexpr std::array<std::string_view, 3> kNeedsNames = {"picture", "sequence", "timing"};
 constexpr std::array<std::string_view, 8> kFormNames = {"error",   "signed_error", "share",        "number",
                                                         "octaves", "decibels",     "milliseconds", "bytes"};
 
@@ -47,11 +47,17 @@ Value frame_time(const Run& run) {
 
 std::vector<Metric> error_rows() {
   const std::string group = "error", unit = "visibility";
+  const GateLimits limits;
   return {
-      {"rmse", "RMSE", group, unit, "root mean square of V - R, the truth's noise taken out", Better::lower,
-       MetricForm::error, "RMSE [95 %]",
-       [](const Run& run) { return run.error ? value_of(run.error->rmse) : std::nullopt; },
-       [](const Run& run) { return run.error ? run.error->rmse : std::nullopt; }},
+      {.key = "rmse",
+       .label = "RMSE",
+       .group = group,
+       .unit = unit,
+       .doc = "root mean square of V - R, the truth's noise taken out",
+       .heading = "RMSE [95 %]",
+       .of = [](const Run& run) { return run.error ? value_of(run.error->rmse) : std::nullopt; },
+       .interval_of = [](const Run& run) { return run.error ? run.error->rmse : std::nullopt; },
+       .gate = RowGate{GateClass::error, limits.error}},
       {"lit_rmse", "lit RMSE", group, "of the light's root mean square",
        "the same of visibility times unshadowed irradiance", Better::lower, MetricForm::error, "lit",
        [](const Run& run) { return run.lit_rmse; }},
@@ -85,6 +91,7 @@ std::vector<Metric> error_rows() {
 
 std::vector<Metric> penumbra_rows() {
   const std::string group = "penumbrae";
+  const GateLimits limits;
   const auto spread = [](std::optional<Spread> PenumbraNumbers::*member) {
     return [member](const Run& run) {
       return run.diagnosis ? median_of(run.diagnosis->penumbra.*member) : std::nullopt;
@@ -94,23 +101,82 @@ std::vector<Metric> penumbra_rows() {
     return [member](const Run& run) { return run.diagnosis ? run.diagnosis->causes.*member : std::nullopt; };
   };
   return {
-      {"width_octaves", "width / true width", group, "octaves",
-       "median of log2 of the width over the true one", Better::nearest_zero, MetricForm::octaves, "",
-       spread(&PenumbraNumbers::width_octaves)},
-      {"offset_widths", "edge's shift", group, "true widths",
-       "median shift of the half-lit edge; above 0 it is too far out", Better::nearest_zero,
-       MetricForm::number, "", spread(&PenumbraNumbers::offset_widths)},
+      {.key = "width_octaves",
+       .label = "width / true width",
+       .group = group,
+       .unit = "octaves",
+       .doc = "median of log2 of the width over the true one",
+       .better = Better::nearest_zero,
+       .form = MetricForm::octaves,
+       .of = spread(&PenumbraNumbers::width_octaves),
+       .gate = RowGate{GateClass::softness, limits.softness}},
+      {.key = "offset_widths",
+       .label = "edge's shift",
+       .group = group,
+       .unit = "true widths",
+       .doc = "median shift of the half-lit edge; above 0 it is too far out",
+       .better = Better::nearest_zero,
+       .form = MetricForm::number,
+       .of = spread(&PenumbraNumbers::offset_widths),
+       .gate = RowGate{GateClass::offset, limits.offset},
+       .term = ObjectiveTerm{"edges", 0.1}},
       {"offset_world", "edge's shift in the world", group, "world units", "the same as a length",
        Better::nearest_zero, MetricForm::number, "", spread(&PenumbraNumbers::offset_world)},
-      {"contact_hardening_slope", "contact hardening", group, "",
-       "slope of widths over true widths, in octaves; 1 is right", Better::nearest_one, MetricForm::number,
-       "",
-       [](const Run& run) { return run.diagnosis ? run.diagnosis->contact_hardening.slope : std::nullopt; }},
-      {"noise", "noise", group, "visibility", "standard deviation about the 3 x 3 mean in penumbrae",
-       Better::lower, MetricForm::error, "", cause(&ErrorCauses::noise)},
-      {"banding", "banding", group, "", "1 less levels over pixels across a penumbra", Better::lower,
-       MetricForm::error, "", cause(&ErrorCauses::banding)},
+      {.key = "contact_hardening_slope",
+       .label = "contact hardening",
+       .group = group,
+       .doc = "slope of widths over true widths, in octaves; 1 is right",
+       .better = Better::nearest_one,
+       .form = MetricForm::number,
+       .of =
+           [](const Run& run) {
+             return run.diagnosis ? run.diagnosis->contact_hardening.slope : std::nullopt;
+           },
+       .gate = RowGate{GateClass::hardening, limits.hardening}},
+      {.key = "noise",
+       .label = "noise",
+       .group = group,
+       .unit = "visibility",
+       .doc = "standard deviation about the 3 x 3 mean in penumbrae",
+       .of = cause(&ErrorCauses::noise),
+       .gate = RowGate{GateClass::noise, limits.noise}},
+      {.key = "banding",
+       .label = "banding",
+       .group = group,
+       .doc = "1 less levels over pixels across a penumbra",
+       .of = cause(&ErrorCauses::banding),
+       .gate = RowGate{GateClass::banding, limits.banding}},
   };
+}
+
+/// Of the objective `faults`: acne, and what a bias too large lets through.
+std::optional<ObjectiveTerm> term_of(FaultClass fault) {
+  constexpr double kOne = 0.001;  // of the mean |error|
+  switch (fault) {
+    case FaultClass::acne:
+      return ObjectiveTerm{"acne", kOne};
+    case FaultClass::peter_panning:
+    case FaultClass::bleed:
+    case FaultClass::geometric_leak:
+    case FaultClass::lost_shadow:
+      return ObjectiveTerm{"leaks", kOne};
+    default:
+      return std::nullopt;
+  }
+}
+
+Metric fault_row(FaultClass fault) {
+  return {.key = fmt::format("fault.{}", name_of(fault)),
+          .label = format_fault(fault),
+          .group = "faults",
+          .unit = "visibility",
+          .doc = "the class's part of the mean |error|",
+          .of =
+              [fault](const Run& run) {
+                return run.diagnosis ? Value(run.diagnosis->faults.of(fault).mean_abs_error) : std::nullopt;
+              },
+          .gate = RowGate{gate_class_of(fault), GateLimits{}.of(fault)},
+          .term = term_of(fault)};
 }
 
 /// The classes' parts of the mean |error|, and the largest of them.
@@ -123,15 +189,8 @@ std::vector<Metric> fault_rows() {
                               const auto worst = worst_fault(run.diagnosis->faults);
                               return worst ? run.diagnosis->faults.of(*worst).mean_abs_error : 0.0;
                             }}};
-  for (size_t k = static_cast<size_t>(FaultClass::acne); k < kFaultClasses; ++k) {
-    const auto fault = static_cast<FaultClass>(k);
-    rows.push_back({fmt::format("fault.{}", name_of(fault)), format_fault(fault), group, unit,
-                    "the class's part of the mean |error|", Better::lower, MetricForm::error, "",
-                    [fault](const Run& run) {
-                      return run.diagnosis ? Value(run.diagnosis->faults.of(fault).mean_abs_error)
-                                           : std::nullopt;
-                    }});
-  }
+  for (size_t k = static_cast<size_t>(FaultClass::acne); k < kFaultClasses; ++k)
+    rows.push_back(fault_row(static_cast<FaultClass>(k)));
   return rows;
 }
 
@@ -159,7 +218,7 @@ std::vector<Metric> similarity_rows() {
 
 std::vector<Metric> temporal_rows() {
   const std::string group = "over time", unit = "visibility";
-  return {
+  std::vector<Metric> rows = {
       {"flicker", "flicker beyond the truth's", group, unit, "of followed points under a moving camera",
        Better::lower, MetricForm::error, "",
        [](const Run& run) { return run.temporal ? run.temporal->camera.excess : std::nullopt; }},
@@ -170,11 +229,13 @@ std::vector<Metric> temporal_rows() {
        Better::lower, MetricForm::error, "",
        [](const Run& run) { return run.temporal ? run.temporal->seed_noise : std::nullopt; }},
   };
+  for (Metric& row : rows) row.needs = MetricNeeds::sequence;
+  return rows;
 }
 
 std::vector<Metric> cost_rows() {
   const std::string group = "cost";
-  return {
+  std::vector<Metric> rows = {
       {"time_ms", "time of a frame", group, "ms", "median of all passes of a frame", Better::lower,
        MetricForm::milliseconds, "", [](const Run& run) { return frame_time(run); }},
       {"memory_bytes", "textures", group, "bytes", "memory of the technique's own textures", Better::lower,
@@ -183,6 +244,8 @@ std::vector<Metric> cost_rows() {
          return run.memory_bytes > 0 ? Value(static_cast<double>(run.memory_bytes)) : std::nullopt;
        }},
   };
+  for (Metric& row : rows) row.needs = MetricNeeds::timing;
+  return rows;
 }
 
 std::string text_of(MetricForm form, double value) {
@@ -209,8 +272,8 @@ std::string text_of(MetricForm form, double value) {
 
 }  // namespace
 
-std::string_view name_of(Better better) {
-  return kBetterNames[static_cast<size_t>(better)];
+std::string_view name_of(MetricNeeds needs) {
+  return kNeedsNames[static_cast<size_t>(needs)];
 }
 
 std::string_view name_of(MetricForm form) {
@@ -237,6 +300,35 @@ const std::vector<Metric>& metric_catalogue() {
 const Metric* find_metric(std::string_view key) {
   const auto found = std::ranges::find(metric_catalogue(), key, &Metric::key);
   return found == metric_catalogue().end() ? nullptr : &*found;
+}
+
+std::optional<double> badness(const Metric& metric, const TechniqueResult& result) {
+  const auto value = metric.of(result);
+  return value ? Value(badness(metric.better, *value)) : std::nullopt;
+}
+
+bool is_gate_measure(const Metric& metric) {
+  if (metric.better == Better::higher || metric.needs == MetricNeeds::timing) return false;
+  return metric.gate ? metric.gate->kind == GateClass::measured : bool(metric.measure);
+}
+
+std::map<std::string, double> gate_measures(const Measures& measures) {
+  const TechniqueResult run = result_of(measures);
+  std::map<std::string, double> values;
+  for (const Metric& metric : metric_catalogue()) {
+    if (!is_gate_measure(metric)) continue;
+    if (const auto value = metric.of(run)) values[metric.key] = *value;
+  }
+  return values;
+}
+
+GateLimits gate_limits() {
+  GateLimits limits;
+  for (const Metric& metric : metric_catalogue()) {
+    if (metric.gate && is_gate_measure(metric))
+      limits.further[metric.key] = {metric.better, metric.gate->limit};
+  }
+  return limits;
 }
 
 std::map<std::string, double> measure_rows(const MetricInputs& inputs) {

@@ -3,6 +3,7 @@
 
 #include "metrics/error/worst_pixels.h"
 #include "metrics/faults/map_seam.h"
+#include "metrics/penumbra/width_error.h"
 #include "metrics/temporal/history.h"
 
 namespace umbrameter {
@@ -24,6 +25,15 @@ std::vector<Metric> measured_rows() {
        .better = Better::nearest_zero,
        .form = MetricForm::signed_error,
        .measure = [](const MetricInputs& in) { return measure_map_seam(in.test, in.reference, in.mask); }},
+      {.key = "width_error_octaves",
+       .label = "wrong widths",
+       .group = "penumbrae",
+       .unit = "octaves",
+       .doc = "root mean square of log2 of the width over the true one; a penumbra that is lost or torn "
+              "counts 4",
+       .form = MetricForm::error,
+       .measure = [](const MetricInputs& in) { return measure_width_error(in.profiles); },
+       .term = ObjectiveTerm{"widths", 0.5}},
       {.key = "ghosting",
        .label = "ghosting",
        .group = "over time",
@@ -37,7 +47,8 @@ std::vector<Metric> measured_rows() {
            [](const MetricInputs& in) {
              return in.still == nullptr ? std::nullopt
                                         : measure_ghosting(in.test, *in.still, in.reference, in.mask);
-           }},
+           },
+       .needs = MetricNeeds::sequence},
       {.key = "convergence_frames",
        .label = "frames to converge",
        .group = "over time",
@@ -48,7 +59,8 @@ std::vector<Metric> measured_rows() {
            [](const MetricInputs& in) {
              return in.still_pictures.empty() ? std::nullopt
                                               : measure_convergence(in.still_pictures, in.reference, in.mask);
-           }},
+           },
+       .needs = MetricNeeds::sequence},
   };
   for (Metric& row : rows) {
     row.of = [key = row.key](const TechniqueResult& run) -> std::optional<double> {

@@ -9,13 +9,20 @@ import sys
 import markdown
 
 DOCUMENT = pathlib.Path(__file__).resolve().parent.parent / "docs" / "metrics.md"
-HEADINGS = ("metric", "called", "group", "unit", "better", "what it is")
-KEYS = ("key", "label", "group", "unit", "better", "doc")
+HEADINGS = ("metric", "called", "group", "unit", "better", "gate", "in `faults`", "what it is")
+KEYS = ("label", "group", "unit")
+
+
+def gate(limits):
+    """What may be added to the baseline's, and the class that says so."""
+    return f"{limits['class']}: {limits['excess']:g} + {100 * limits['share']:g} %" if limits else ""
 
 
 def row(metric):
-    words = [metric[key].replace("|", "\\|").replace("_", " ") if key == "better" else metric[key].replace("|", "\\|") for key in KEYS]
-    return [f"`{words[0]}`", *words[1:]]
+    term = metric["term"]
+    words = [f"`{metric['key']}`", *(metric[key] for key in KEYS), metric["better"].replace("_", " "), gate(metric["gate"]),
+             f"{term['name']} / {term['one']:g}" if term else "", metric["doc"]]
+    return [word.replace("|", "\\|") for word in words]
 
 
 def main():

@@ -53,7 +53,7 @@ def tune(scenes: Union[str, Path, Iterable[Path]], technique: Path, *, out: Opti
          parameters: Sequence[str] = (), time_limit: str = "60s", evaluations: Optional[int] = None, cameras: int = 5,
          width: Optional[int] = None, height: Optional[int] = None, samples: Optional[int] = None, light: str = "",
          **further: Union[bool, int, float, str]) -> Tuning:
-    """Searches the parameters of `technique` ("ID[:name=value,...]") that make `objective` (rmse, penumbra, faults) least on
+    """Searches the parameters of `technique` ("ID[:name=value,...]") that make `objective` (rmse, penumbra, faults or a metric's key) least on
     all `scenes` under all their lights. `parameters` names what to tune; default: whatever does not count work. With `out` a folder keeps preset,
     record and truths. `further`: other options of the verb, such as no_coarse=True or grid=5."""
     names = [scenes] if isinstance(scenes, (str, os.PathLike)) else list(scenes)

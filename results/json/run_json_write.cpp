@@ -35,6 +35,16 @@ OrderedJson temporal_json(const std::optional<TemporalNumbers>& temporal) {
           {"seed_noise", optional_json(temporal->seed_noise)}};
 }
 
+OrderedJson gate_json(const std::optional<RowGate>& gate) {
+  if (!gate) return nullptr;
+  return {{"class", name_of(gate->kind)}, {"excess", gate->limit.excess}, {"share", gate->limit.share}};
+}
+
+OrderedJson term_json(const std::optional<ObjectiveTerm>& term) {
+  if (!term) return nullptr;
+  return {{"name", term->name}, {"one", term->one}};
+}
+
 }  // namespace
 
 OrderedJson error_json(const VisibilityError& error) {
@@ -61,6 +71,9 @@ OrderedJson catalogue_json() {
                     {"unit", metric.unit},
                     {"better", name_of(metric.better)},
                     {"form", name_of(metric.form)},
+                    {"needs", name_of(metric.needs)},
+                    {"gate", gate_json(metric.gate)},
+                    {"term", term_json(metric.term)},
                     {"doc", metric.doc}});
   }
   return rows;

@@ -107,7 +107,7 @@ const std::vector<std::string>& measure_names() {
                {kWidth, se_name(kWidth), least_name(kWidth), kOffset, se_name(kOffset), least_name(kOffset),
                 kSlope, kExcess, kSpan, kSlopeMargin, kNoise, kTruthNoise, kBanding, kFootprint});
     for (const Metric& metric : metric_catalogue()) {
-      if (metric.measure) all.push_back(metric.key);
+      if (is_gate_measure(metric)) all.push_back(metric.key);
     }
     return all;
   }();
@@ -132,6 +132,10 @@ GateRun gate_run_of(const CaseNumbers& numbers) {
   run.error->mse = numbers.mse;
   run.error->rmse = rmse_of(numbers);
   if (numbers.measures.contains(fault_name(kFirstFault))) run.diagnosis = diagnosis_of(numbers.measures);
+  for (const Metric& metric : metric_catalogue()) {
+    if (!is_gate_measure(metric)) continue;
+    if (const auto value = get(numbers.measures, metric.key)) run.measured[metric.key] = *value;
+  }
   return run;
 }
 

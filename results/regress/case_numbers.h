@@ -23,7 +23,7 @@ struct CaseNumbers {
 };
 
 /// Every measure there can be: the fault classes' parts of the mean absolute error, what tells penumbrae apart, and the
-/// catalogue's rows that are measured from pictures.
+/// catalogue's rows that gates may look at (is_gate_measure).
 const std::vector<std::string>& measure_names();
 
 /// Absent for a run that is void, or without scored pixels.

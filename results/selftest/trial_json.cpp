@@ -50,19 +50,22 @@ OrderedJson trial_json(const GateVerdict& verdict) {
     measures.push_back({{"kind", name_of(one.kind)},
                         {"value", optional_json(one.value)},
                         {"baseline", optional_json(one.baseline)},
-                        {"allowed", number_json(one.allowed)}});
+                        {"allowed", number_json(one.allowed)},
+                        {"key", one.key}});
   }
   return {{"measures", std::move(measures)},
-          {"kind", verdict.kind ? OrderedJson(name_of(*verdict.kind)) : OrderedJson(nullptr)}};
+          {"kind", verdict.kind ? OrderedJson(name_of(*verdict.kind)) : OrderedJson(nullptr)},
+          {"key", verdict.key}};
 }
 
 void read_trial(const nlohmann::json& json, GateVerdict& verdict) {
   verdict = {};
   for (const nlohmann::json& one : json.at("measures")) {
-    verdict.measures.push_back({kind_named<GateClass>(one.at("kind"), kGateClasses),
-                                read_optional<double>(one.at("value")),
-                                read_optional<double>(one.at("baseline")), read_number(one.at("allowed"))});
+    verdict.measures.push_back(
+        {kind_named<GateClass>(one.at("kind"), kGateClasses), read_optional<double>(one.at("value")),
+         read_optional<double>(one.at("baseline")), read_number(one.at("allowed")), one.at("key")});
   }
+  verdict.key = json.at("key");
   if (!json.at("kind").is_null()) verdict.kind = kind_named<GateClass>(json["kind"], kGateClasses);
 }
 

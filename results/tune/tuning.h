@@ -3,8 +3,8 @@
 // What a tuning found. Not here: the files (results/tune/tune_json.h, tune_files.h) and the search (study/tune/).
 
 #include "core/parameters.h"
-#include "metrics/objective.h"
 #include "metrics/statistics/interval.h"
+#include "results/tune/objective.h"
 
 #include <cstdint>
 #include <limits>
@@ -93,7 +93,7 @@ struct TuneHead {
   std::string technique, hash;
   bool is_engine = false;             // a foreign renderer: settings are told in its own words
   std::vector<Parameter> parameters;  // all of the technique's
-  Objective objective = Objective::rmse;
+  Objective objective = {};
   int width_px = 0, height_px = 0;
   uint64_t seed = 0;
 };

@@ -34,7 +34,7 @@ bool is_worse_for_certain(const Change& change) {
 const GateMeasure* worst_of(const GateVerdict& gate) {
   const GateMeasure* worst = nullptr;
   for (const GateMeasure& m : gate.measures) {
-    if (m.kind != gate.kind || !m.exceeds()) continue;
+    if (m.kind != gate.kind || m.key != gate.key || !m.exceeds()) continue;
     if (worst == nullptr || m.severity() > worst->severity()) worst = &m;
   }
   return worst;
@@ -42,9 +42,9 @@ const GateMeasure* worst_of(const GateVerdict& gate) {
 
 std::string gate_message(const GateVerdict& gate) {
   const GateMeasure* m = worst_of(gate);
-  if (m == nullptr) return std::string(name_of(*gate.kind));
-  return fmt::format("{} is {:.4g}, {:.1f} times what may be added to the baseline's {:.4g}",
-                     name_of(*gate.kind), m->value.value_or(0.0), m->severity(), m->baseline.value_or(0.0));
+  if (m == nullptr) return std::string(name_of(gate));
+  return fmt::format("{} is {:.4g}, {:.1f} times what may be added to the baseline's {:.4g}", name_of(gate),
+                     m->value.value_or(0.0), m->severity(), m->baseline.value_or(0.0));
 }
 
 // Only the RMSE has an interval: a limit inside of it is undecided. What was not measured never passes.
@@ -96,7 +96,7 @@ CaseVerdict judge_case(const CaseNumbers& now, const CaseNumbers& before, const 
   const GateRun baseline = gate_run_of(before);
   const GateVerdict gate =
       judge_gate(gate_run_of(now), &baseline, is_worse_for_certain(change), gates.worse_by);
-  if (gate.kind) return {CaseOutcome::fail, std::string(name_of(*gate.kind)), gate_message(gate), gate};
+  if (!gate.passes()) return {CaseOutcome::fail, std::string(name_of(gate)), gate_message(gate), gate};
   CaseVerdict limits = judge_limits(now, gates);
   CaseVerdict ratchet = gates.ratchet ? judge_ratchet(now, before, change) : CaseVerdict{};
   CaseVerdict& verdict = limits.outcome > ratchet.outcome ? limits : ratchet;

@@ -7,6 +7,7 @@
 #include "lab/timing.h"
 #include "metrics/statistics/frame_times.h"
 #include "metrics/statistics/seed_noise.h"
+#include "results/catalogue.h"
 #include "results/metadata.h"
 #include "results/regress/case_json.h"
 #include "store/code_hashes.h"
@@ -64,7 +65,7 @@ Measured measure_pictures(const SceneWork& work, RunWork& run, const Image& trut
   std::vector<CaseNumbers> all;
   for (const Image& picture : run.pictures) {
     Examined examined = examine(picture, truth, work.job.scene.camera.eye_world, work.plan.metric);
-    const GateVerdict verdict = judge_gate(examined.run, nullptr, false);
+    const GateVerdict verdict = judge_gate(examined.run, nullptr, false, gate_limits());
     const bool is_void = verdict.measures.empty();
     if (is_void) return {not_compared(std::string(name_of(*verdict.kind)), void_message(examined.run)), {}};
     auto numbers = case_numbers(examined.run);

@@ -41,11 +41,19 @@ GateLimit read_limit(const TomlNode& table, const std::string& name, const GateL
   return limit;
 }
 
+FurtherLimit read_further(const TomlNode& table, const Metric& metric) {
+  return {metric.better, read_limit(table, metric.key, metric.gate ? metric.gate->limit : GateLimit{})};
+}
+
 GateLimits read_worse_by(const TomlNode& table) {
   TomlReader reader(table, "[gates.worse_by]");
-  GateLimits limits;
+  GateLimits limits = gate_limits();
   for (const auto& [name, member] : kGateLimitNames) {
     if (const TomlNode* node = reader.find(name)) limits.*member = read_limit(*node, name, limits.*member);
+  }
+  for (const Metric& metric : metric_catalogue()) {
+    const TomlNode* node = is_gate_measure(metric) ? reader.find(metric.key) : nullptr;
+    if (node != nullptr) limits.further[metric.key] = read_further(*node, metric);
   }
   reader.finish();
   return limits;

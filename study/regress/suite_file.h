@@ -3,7 +3,7 @@
 // What a regression suite's file says (docs/regress.md): scenes and runs as a study says them, and the gates they must
 // keep. Not here: whether scenes and techniques exist (cli/).
 
-#include "metrics/gate.h"
+#include "results/catalogue.h"
 #include "study/study_file.h"
 
 #include <cstdint>
@@ -16,7 +16,7 @@
 namespace umbrameter {
 
 struct RegressGates {
-  GateLimits worse_by;  // than the baseline, by kind of fault
+  GateLimits worse_by = gate_limits();  // than the baseline, by kind of fault and by metric
   std::map<std::string, double>
       at_most;  // by measure (results/regress/case_numbers.h), whatever the baseline says
   bool ratchet = true;

@@ -2,6 +2,7 @@
 #include "study/selftest/selftest.h"
 
 #include "metrics/judgement.h"
+#include "results/catalogue.h"
 #include "results/metadata.h"
 #include "results/pictures/pictures.h"
 #include "study/selftest/kept_trials.h"
@@ -31,17 +32,17 @@ Judged judge(const Trial& trial, Stage& stage) {
   Judged out;
   if (trial.failure) {
     out.examined.run.failure = trial.failure;
-    out.verdict = judge_gate(out.examined.run, nullptr, false);
+    out.verdict = judge_gate(out.examined.run, nullptr, false, gate_limits());
     return out;
   }
   const Image& truth = trial.truth ? *trial.truth : stage.truth();
   out.examined = examine(trial.picture, truth, stage.eye_world(), trial.metric);
   if (!trial.baseline) {
-    out.verdict = judge_gate(out.examined.run, nullptr, false);
+    out.verdict = judge_gate(out.examined.run, nullptr, false, gate_limits());
     return out;
   }
   out.verdict = judge_gate(out.examined.run, &stage.examined(*trial.baseline).run,
-                           is_worse(trial, out.examined, truth, stage));
+                           is_worse(trial, out.examined, truth, stage), gate_limits());
   return out;
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/guard.h"
 #include "lab/score.h"
+#include "results/catalogue.h"
 
 #include <algorithm>
 
@@ -37,8 +38,8 @@ StressCell judge_stress(const StressMeasure& measure, const StressMeasure* nomin
     cell.how = "there is no nominal error";
   } else if (cell.rmse->low > stress_limit_rmse(*rmse_of(*nominal))) {
     cell.outcome = worse;
-    const GateVerdict verdict = judge_gate(measure.run, &nominal->run, true);
-    cell.how = name_of(verdict.kind.value_or(GateClass::error));
+    const GateVerdict verdict = judge_gate(measure.run, &nominal->run, true, gate_limits());
+    cell.how = verdict.passes() ? name_of(GateClass::error) : name_of(verdict);
   }
   return cell;
 }
@@ -55,6 +56,7 @@ StressMeasure measure_stress(const Image& picture, const Image& reference, const
     out.scored_pixels = out.run.error->scored_pixels;
   });
   out.run.diagnosis = score.diagnosis;
+  out.run.measured = gate_measures(score);
   return out;
 }
 

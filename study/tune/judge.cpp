@@ -37,7 +37,8 @@ double mean_of(const std::vector<double>& ratios) {
   return std::accumulate(ratios.begin(), ratios.end(), 0.0) / static_cast<double>(ratios.size());
 }
 
-Judge::Judge(Studio& studio, std::vector<View> views, Objective objective, const ParameterValues& defaults)
+Judge::Judge(Studio& studio, std::vector<View> views, const Objective& objective,
+             const ParameterValues& defaults)
     : studio_(studio), views_(std::move(views)), objective_(objective) {
   Measures found = evaluate(defaults);
   for (size_t i = 0; i < views_.size(); ++i) {
@@ -59,6 +60,7 @@ double Judge::ratio(const ParameterValues& values) const {
 std::optional<Interval> Judge::gain_on(size_t index, const ParameterValues& ours,
                                        const ParameterValues& other) const {
   std::optional<Interval> gain;
+  if (objective_ != Objective{}) return gain;
   guarded([&] {
     const std::array both = {ours, other};
     const Numbers numbers = studio_.ask(views_[index], both, fmt::format("gain {}", name_of(objective_)),

@@ -19,7 +19,7 @@ double mean_of(const std::vector<double>& ratios);
 class Judge {
  public:
   /// Measures `defaults` on all views; Error{input} when one has nothing to measure.
-  Judge(Studio& studio, std::vector<View> views, Objective objective, const ParameterValues& defaults);
+  Judge(Studio& studio, std::vector<View> views, const Objective& objective, const ParameterValues& defaults);
 
   using Measures = std::vector<std::optional<ObjectiveValue>>;  // one a view
 

@@ -27,7 +27,7 @@ struct TunePlan {
   std::vector<NamedValues> presets;
   std::vector<std::string> tuned;  // names; empty: choose_search_space
   IsActive is_active;              // of the manifest's conditions, on any of the scenes; none: all act
-  Objective objective = Objective::rmse;
+  Objective objective = {};
   uint64_t seed = 1;
   size_t evaluations = 0;  // most, of the search
   double time_limit_s = 60.0;

@@ -29,7 +29,7 @@ std::optional<ValueFaults> faults_of(WindowKind kind, bool falls, const Image& t
 
 class WindowMeasure {
  public:
-  WindowMeasure(Studio& studio, const Judge& judge, Objective objective, WindowKind kind, bool falls)
+  WindowMeasure(Studio& studio, const Judge& judge, const Objective& objective, WindowKind kind, bool falls)
       : studio_(studio), judge_(judge), objective_(objective), kind_(kind), falls_(falls) {}
 
   std::optional<WindowPoint> at(const ParameterValues& values, double value) const {
@@ -93,7 +93,7 @@ double median_texel_world(Studio& studio, const View& view, const ParameterValue
 }
 
 std::vector<SafeWindow> find_windows(Studio& studio, const Judge& judge, const SearchSpace& space,
-                                     const IsActive& is_active, Objective objective,
+                                     const IsActive& is_active, const Objective& objective,
                                      const ParameterValues& values, const GoesOn& goes_on,
                                      std::span<const SafeWindow> before) {
   std::vector<SafeWindow> windows;

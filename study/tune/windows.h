@@ -16,7 +16,7 @@ using GoesOn = std::function<bool()>;
 /// One window a tuned parameter that has one, the other values as in `values`. Faults are the worst over views. Parameters
 /// that do not act are left out. `before`: those found beside other values, where each begins.
 std::vector<SafeWindow> find_windows(Studio& studio, const Judge& judge, const SearchSpace& space,
-                                     const IsActive& is_active, Objective objective,
+                                     const IsActive& is_active, const Objective& objective,
                                      const ParameterValues& values, const GoesOn& goes_on,
                                      std::span<const SafeWindow> before = {});
 

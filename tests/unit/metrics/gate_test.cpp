@@ -213,6 +213,29 @@ TEST(Gate, APictureFullOfPenumbraeMayBeWrongByTheirWidths) {
   EXPECT_EQ(kind_of(0.042, 0.5), GateClass::error);
 }
 
+TEST(Gate, AFurtherMeasureSpeaksWhereNoClassDoes) {
+  GateLimits limits;
+  limits.further = {{"worst", {Better::lower, {0.1, 0.5}}}, {"seam", {Better::nearest_zero, {0.1, 0.0}}}};
+  const auto with = [](double worst, double seam) {
+    GateRun run = clean_run();
+    run.measured = {{"worst", worst}, {"seam", seam}};
+    return run;
+  };
+  const GateRun baseline = with(0.2, -0.05);
+  EXPECT_TRUE(judge_gate(with(0.39, -0.14), &baseline, false, limits).passes());
+  const GateVerdict verdict = judge_gate(with(0.41, -0.16), &baseline, false, limits);
+  EXPECT_EQ(verdict.kind, GateClass::measured);
+  EXPECT_EQ(name_of(verdict), "seam") << ".11 of the .1 that may be added, against .21 of .2";
+  EXPECT_EQ(name_of(judge_gate(with(0.5, 0.0), &baseline, false, limits)), "worst");
+  EXPECT_TRUE(judge_gate(with(0.5, 0.0), &baseline, false).passes()) << "no limit, no gate";
+  GateRun acne = with(9.0, 9.0);
+  acne.diagnosis->faults.by_class[static_cast<size_t>(FaultClass::acne)].mean_abs_error = 0.01;
+  EXPECT_EQ(name_of(judge_gate(acne, &baseline, false, limits)), "acne");
+  const GateRun unmeasured = clean_run();
+  EXPECT_TRUE(judge_gate(with(9.0, 9.0), &unmeasured, false, limits).passes());
+  EXPECT_EQ(name_of(GateVerdict{}), "");
+}
+
 TEST(Gate, WhatVoidsARunIsSaidFirst) {
   GateRun run = with_share(FaultClass::acne, 0.1);
   run.parity_passes = false;

@@ -117,6 +117,43 @@ TEST(Catalogue, RowsMeasuredFromPicturesStandInBaselines) {
   }
 }
 
+TEST(Catalogue, CarriesWhatGatesAndTheTunerMakeOfARow) {
+  const GateLimits limits = gate_limits();
+  std::map<std::string, double> terms;
+  for (const Metric& metric : metric_catalogue()) {
+    if (metric.term) terms[metric.term->name] += 1.0;
+    if (!metric.gate) continue;
+    EXPECT_GT(metric.gate->limit.excess, 0.0) << metric.key << ": any noise exceeds it";
+    EXPECT_NE(metric.better, Better::higher) << metric.key << ": shares of it say nothing";
+    EXPECT_EQ(limits.further.contains(metric.key), metric.gate->kind == GateClass::measured) << metric.key;
+  }
+  EXPECT_EQ(find_metric("fault.acne")->gate->kind, GateClass::acne);
+  EXPECT_EQ(find_metric("fault.overlap")->gate->kind, GateClass::softness);
+  EXPECT_DOUBLE_EQ(find_metric("fault.resolution")->gate->limit.share, GateLimits{}.resolution.share);
+  EXPECT_DOUBLE_EQ(find_metric("rmse")->gate->limit.excess, GateLimits{}.error.excess);
+  EXPECT_EQ(terms, (std::map<std::string, double>{{"acne", 1}, {"leaks", 4}, {"edges", 1}, {"widths", 1}}));
+}
+
+TEST(Catalogue, SaysHowFarANumberIsFromRight) {
+  const TechniqueResult run = measured_run();
+  EXPECT_DOUBLE_EQ(*badness(*find_metric("rmse"), run), 0.5);
+  EXPECT_DOUBLE_EQ(*badness(*find_metric("bias"), run), 0.25);
+  EXPECT_NEAR(*badness(*find_metric("contact_hardening_slope"), run), 0.1, 1e-12);
+  EXPECT_DOUBLE_EQ(*badness(*find_metric("psnr_db"), run), -31.0);
+  EXPECT_FALSE(badness(*find_metric("rmse"), {}));
+}
+
+TEST(Catalogue, ARowThatAGateLooksAtIsRememberedByBaselines) {
+  GateRun run;
+  run.error.emplace();
+  run.error->mse = Interval{0.01, 0.01, 0.01};
+  run.measured = gate_measures(measured_run());
+  EXPECT_DOUBLE_EQ(run.measured.at("worst_pixels_rmse"), 0.375);
+  EXPECT_FALSE(run.measured.contains("rmse")) << "a class stands for it";
+  EXPECT_FALSE(run.measured.contains("psnr_db"));
+  EXPECT_EQ(gate_run_of(*case_numbers(run)).measured, run.measured);
+}
+
 TEST(Catalogue, WritesNumbersAsPeopleReadThem) {
   const TechniqueResult run = measured_run();
   EXPECT_EQ(format_metric(*find_metric("rmse"), run), "0.50000 [0.40000, 0.60000]");

@@ -120,6 +120,18 @@ TEST(RegressJudge, AFaultIsNamed) {
   EXPECT_THAT(verdict.message, HasSubstr("0.001"));
 }
 
+TEST(RegressJudge, AMetricWithALimitIsNamedByItsKey) {
+  CaseNumbers now = numbers_of(0.001), before = now;
+  before.measures["worst_pixels_rmse"] = 0.2;
+  now.measures["worst_pixels_rmse"] = 0.4;
+  EXPECT_EQ(judge_case(now, before, {}).outcome, CaseOutcome::pass);
+  RegressGates gates;
+  gates.worse_by.further["worst_pixels_rmse"] = {Better::lower, {0.05, 0.25}};
+  const CaseVerdict verdict = judge_case(now, before, gates);
+  EXPECT_EQ(verdict.kind, "worst_pixels_rmse");
+  EXPECT_THAT(verdict.message, HasSubstr("worst_pixels_rmse is 0.4, 2.0 times what may be added"));
+}
+
 TEST(RegressJudge, ALimitHoldsWhateverTheBaselineSays) {
   RegressGates gates;
   gates.at_most = {{"acne", 5e-5}};
@@ -242,6 +254,11 @@ TEST(RegressSuiteFile, ReadsGatesAndRefusesWhatItDoesNotKnow) {
     }
     return std::string("accepted");
   };
+  const RegressSuite rows =
+      parse_suite(head + run + "[gates.worse_by.worst_pixels_rmse]\nexcess = 0.05\nshare = 0.25\n", "s.toml");
+  EXPECT_DOUBLE_EQ(rows.gates.worse_by.further.at("worst_pixels_rmse").limit.share, 0.25);
+  EXPECT_THAT(message_of("[gates.worse_by.worst_pixels_rmse]\nshare = 0.25\n"), HasSubstr("'excess' is 0"));
+  EXPECT_THAT(message_of("[gates.worse_by.psnr_db]\nexcess = 1.0\n"), HasSubstr("psnr_db"));
   EXPECT_THAT(message_of("[gates]\nrachet = true\n"), HasSubstr("rachet"));
   EXPECT_THAT(message_of("[gates.at_most]\nacme = 1.0\n"), HasSubstr("acme"));
   EXPECT_THAT(message_of("[gates]\nsigmas = 0.5\n"), HasSubstr("less than 1"));

@@ -25,6 +25,9 @@ TEST(KeptTrials, SayTheSameAfterTheStore) {
   expect_kept(verdict);
   verdict.kind = GateClass::penumbra_too_wide;
   expect_kept(verdict);
+  verdict.measures.push_back({GateClass::measured, 0.25, 0.125, 0.5, "map_seam"});
+  verdict.key = "map_seam";
+  expect_kept(verdict);
   GateVerdict read;
   read_trial(nlohmann::json::parse(trial_json(verdict).dump()), read);
   EXPECT_EQ(read.kind, GateClass::penumbra_too_wide);

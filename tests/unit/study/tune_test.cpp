@@ -197,7 +197,7 @@ TEST_F(Tune, SensitivityIsTheRiseOneStepAway) {
 }
 
 TEST_F(Tune, SaysWhatAnObjectiveLacks) {
-  plan.objective = Objective::penumbra;  // the fakes' truth has no edge
+  plan.objective = {"penumbra"};  // the fakes' truth has no edge
   try {
     run();
     FAIL() << "no error";

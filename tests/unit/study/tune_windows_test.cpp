@@ -6,10 +6,14 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace umbrameter {
 namespace {
+
+using testing::HasSubstr;
 
 TEST(DrawAndScore, ScoresInOrderBesideTheNextDraw) {
   std::vector<size_t> scored;
@@ -146,11 +150,43 @@ TEST(SafeWindows, OfALightSizeLieBetweenTooHardAndTooSoft) {
 }
 
 TEST(Objectives, ADestroyedPenumbraIsNoWidthOfNothing) {
-  EXPECT_THROW(choose_objective("rsme"), Error);
-  EXPECT_EQ(choose_objective("faults"), Objective::faults);
   const Image reference = reference_image();
   std::vector<uint8_t> mask(reference.pixel_count(), 1);
-  EXPECT_FALSE(measure_objective(Objective::penumbra, technique_image(0.1f), reference, mask, true));
+  EXPECT_FALSE(measure_objective({"penumbra"}, technique_image(0.1f), reference, mask, true));
+  EXPECT_FALSE(measure_objective({"width_error_octaves"}, technique_image(0.1f), reference, mask, true));
+}
+
+TEST(Objectives, AreNamedOnesAndRowsThatAPictureGives) {
+  for (const char* name :
+       {"rmse", "penumbra", "faults", "worst_pixels_rmse", "over_shadowing", "penumbra.rmse"})
+    EXPECT_EQ(choose_objective(name), Objective{name});
+  EXPECT_EQ(unit_of(choose_objective("over_shadowing")), "visibility");
+  const auto message_of = [](const char* name) {
+    try {
+      choose_objective(name);
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  EXPECT_THAT(message_of("over_shadowign"), HasSubstr("did you mean 'over_shadowing'?"));
+  EXPECT_THAT(message_of("flicker"), HasSubstr("it needs a sequence of pictures"));
+  EXPECT_THAT(message_of("time_ms"), HasSubstr("it needs a timing"));
+  EXPECT_THAT(message_of("psnr_db"), HasSubstr("(try rmse or ssim)"));
+}
+
+TEST(Objectives, ARowIsItsDistanceFromRight) {
+  const Image reference = reference_image(), test = technique_image(0.1f);
+  std::vector<uint8_t> mask(reference.pixel_count(), 1);
+  const auto of = [&](const char* name) { return measure_objective({name}, test, reference, mask, true); };
+  const double bias = of("bias").value().value;
+  EXPECT_GT(bias, 0.0);
+  EXPECT_NEAR(bias, std::abs(*measure_visibility_error(test, reference, mask).bias), 1e-12);
+  EXPECT_NEAR(of("over_shadowing").value().value + of("under_shadowing").value().value,
+              of("mae").value().value, 1e-12);
+  EXPECT_GE(of("worst_pixels_rmse").value().value, of("mae").value().value);
+  std::ranges::fill(mask, uint8_t{0});
+  EXPECT_FALSE(of("bias"));
 }
 
 }  // namespace
