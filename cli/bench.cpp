@@ -11,6 +11,7 @@
 #include "core/files.h"
 #include "reference/reference.h"
 #include "report/report.h"
+#include "results/json/schemas.h"
 #include "results/measured.h"
 #include "results/metadata.h"
 
@@ -136,7 +137,7 @@ std::string json_of(const std::vector<BenchResults>& all, const BenchQueries& qu
     while (one.ends_with('\n')) one.pop_back();
     text += (text.empty() ? "" : ",\n") + one;
   }
-  return "{\"studies\": [\n" + text + "\n]}\n";
+  return fmt::format("{{\"schema\": {}, \"studies\": [\n{}\n]}}\n", kBenchSchema.number, text);
 }
 
 /// The numbers beside the truths, and the page of all that lies there.

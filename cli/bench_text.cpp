@@ -47,7 +47,7 @@ std::string run_table(const BenchResults& results) {
       const auto total = total_time(summarise(entry.times));
       rows.push_back({scene.name, label, time_text(entry, total),
                       total ? fmt::format("{:.2g}", total->mad_ms) : "",
-                      total ? std::to_string(total->frames) : "0", format_interval(entry.rmse),
+                      total ? std::to_string(total->frames) : "0", format_interval(entry.rmse()),
                       format_bytes(entry.memory_bytes), front_text(entry)});
     }
   }
@@ -94,7 +94,7 @@ std::string answer_line(const std::string& question, const Ranking& ranking, con
   const BenchEntry& best = scene.entries[ranking.front()];
   std::string line =
       fmt::format("{}, {}: {} ({}, RMSE {})", scene.name, question, best.label,
-                  time_text(best, total_time(summarise(best.times))), format_interval(best.rmse));
+                  time_text(best, total_time(summarise(best.times))), format_interval(best.rmse()));
   for (size_t i = 1; i < ranking.size(); ++i)
     line += fmt::format("{}{}", i == 1 ? "; not told apart: " : ", ", scene.entries[ranking[i]].label);
   return line + "\n";

@@ -2,6 +2,7 @@
 #include "cli/console.h"
 
 #include "cli/verbs.h"
+#include "results/json/schemas.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -47,7 +48,9 @@ void print_answer(std::string_view text) {
   if (!is_written || std::fflush(stdout) != 0) fail_environment("cannot write to standard output");
 }
 
-void print_json(const nlohmann::ordered_json& json) {
+void print_json(const nlohmann::ordered_json& answer) {
+  nlohmann::ordered_json json = {{"schema", kAnswerSchema}};
+  json.update(answer);  // with the answer's own, if it has one
   print_answer(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 

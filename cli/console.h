@@ -22,7 +22,8 @@ void print_note(std::string_view sentence);
 
 /// Text or JSON on stdout; Error{environment} when it does not take it.
 void print_answer(std::string_view text);
-void print_json(const nlohmann::ordered_json& json);
+/// With `schema` first: the answer's own, or that of all answers without one (results/json/schemas.h).
+void print_json(const nlohmann::ordered_json& answer);
 
 /// Rows under their headings, columns aligned; every row has as many cells as `headings`.
 std::string format_table(const std::vector<std::string>& headings,

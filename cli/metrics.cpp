@@ -23,7 +23,7 @@ std::string term_text(const Metric& metric) {
 
 int print_metrics(const GlobalOptions& global) {
   if (global.json) {
-    print_json({{"schema", 1}, {"metrics", catalogue_json()}});
+    print_json({{"metrics", catalogue_json()}});
     return kExitFine;
   }
   std::vector<std::vector<std::string>> rows;

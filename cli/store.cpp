@@ -40,7 +40,7 @@ int merge(const std::vector<std::string>& folders, const GlobalOptions& global) 
   }
   print_warnings(into);
   if (global.json) {
-    print_json({{"schema", 1}, {"added", counts.added}, {"present", counts.present}});
+    print_json({{"added", counts.added}, {"present", counts.present}});
   } else {
     print_answer(fmt::format("{} entries added, {} were there already\n", counts.added, counts.present));
   }

@@ -4,6 +4,7 @@
 #include "cli/console.h"
 #include "results/format.h"
 #include "results/json/json_parts.h"
+#include "results/json/schemas.h"
 #include "results/judgement_format.h"
 #include "study/study_camera.h"
 
@@ -130,7 +131,7 @@ OrderedJson plan_json(const SweepPlan& plan, std::span<const StudyScene> scenes,
     list.push_back(json);
   }
   const Totals totals = totals_of(steps);
-  OrderedJson json{{"schema", 1}};
+  OrderedJson json{{"schema", kSweepSchema}};
   for (const StepAction action : {StepAction::render, StepAction::reuse, StepAction::skip})
     json[std::string(to_text(action))] = totals.runs.contains(action) ? totals.runs.at(action) : 0;
   json["render_references"] = totals.references;
@@ -181,7 +182,7 @@ OrderedJson outcome_json(const SweepOutcome& outcome) {
        {Comparison::better, Comparison::worse, Comparison::same, Comparison::cannot_tell})
     verdicts[std::string(name_of(verdict))] = count_of(outcome, verdict);
   for (const Failure& failure : outcome.failures) failures.push_back(failure_json(failure));
-  return {{"schema", 1},
+  return {{"schema", kSweepSchema},
           {"rendered", outcome.rendered},
           {"reused", outcome.reused},
           {"skipped", outcome.skipped},

@@ -2,6 +2,7 @@
 #include "report/regress_output.h"
 #include "results/json/json_optional.h"
 #include "results/json/json_parts.h"
+#include "results/json/schemas.h"
 
 #include <fmt/format.h>
 
@@ -109,7 +110,7 @@ std::string regress_json(const RegressResults& results) {
                       {"truth_hash", scene.truth.hash},
                       {"truth_device", scene.truth.device}});
   }
-  return dump({{"schema", 1},
+  return dump({{"schema", kRegressSchema.number},
                {"suite", results.suite},
                {"width_px", results.width_px},
                {"height_px", results.height_px},

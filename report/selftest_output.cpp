@@ -2,6 +2,7 @@
 #include "report/selftest_output.h"
 
 #include "results/json/json_optional.h"
+#include "results/json/schemas.h"
 
 #include <fmt/format.h>
 
@@ -285,7 +286,8 @@ std::string selftest_json(const SelftestResults& results) {
                          {"slope", optional_json(outcome.exact.slope)},
                          {"margin", optional_json(outcome.exact.slope_margin)}});
   }
-  const OrderedJson object = {{"passes", results.passes()},
+  const OrderedJson object = {{"schema", kSelftestSchema},
+                              {"passes", results.passes()},
                               {"found", results.found()},
                               {"right", results.right()},
                               {"false_alarms", results.false_alarms()},

@@ -42,9 +42,9 @@ constexpr std::array kBenchFields = std::to_array<string_view>({"title:text",
                                                                 "scenes[].runs[].time_ms?.value:number",
                                                                 "scenes[].runs[].time_ms?.low:number",
                                                                 "scenes[].runs[].time_ms?.high:number",
-                                                                "scenes[].runs[].rmse?.value:number",
-                                                                "scenes[].runs[].rmse?.low:number",
-                                                                "scenes[].runs[].rmse?.high:number",
+                                                                "scenes[].runs[].error?.rmse?.value:number",
+                                                                "scenes[].runs[].error?.rmse?.low:number",
+                                                                "scenes[].runs[].error?.rmse?.high:number",
                                                                 "scenes[].runs[].memory_bytes:number",
                                                                 "scenes[].runs[].is_on_front?:flag",
                                                                 "scenes[].runs[].failure?.message:text",
@@ -141,14 +141,24 @@ void add_range_words(OrderedJson& range) {
   }
 }
 
+/// What the page shows of a run.
+OrderedJson shown_run(const OrderedJson& run) {
+  OrderedJson shown{{"rmse", run.at("error").is_null() ? OrderedJson(nullptr) : run.at("error").at("rmse")}};
+  for (const char* key : {"label", "time_ms", "pass_times", "memory_bytes", "is_on_front", "dominated_by",
+                          "failure", "seed", "parameters"})
+    shown[key] = run.at(key);
+  return shown;
+}
+
 OrderedJson bench_data(const std::filesystem::path& folder) {
   OrderedJson studies = OrderedJson::array();
-  for_side_files(folder, "bench", [&](const OrderedJson& document, const std::string& file) {
+  for_side_files(folder, kBenchSchema, [&](const OrderedJson& document, const std::string& file) {
     const OrderedJson list =
         document.contains("studies") ? document.at("studies") : OrderedJson::array({document});
     for (OrderedJson study : list) {
       require_fields(study, kBenchFields);
-      for (const OrderedJson& scene : study.at("scenes")) {
+      for (OrderedJson& scene : study.at("scenes")) {
+        for (OrderedJson& run : scene.at("runs")) run = shown_run(run);
         if (scene.contains("truth") && !scene.at("truth").is_null())
           require_fields(scene.at("truth"), kTruthFields);
       }
@@ -161,7 +171,7 @@ OrderedJson bench_data(const std::filesystem::path& folder) {
 
 OrderedJson stress_data(const std::filesystem::path& folder) {
   OrderedJson maps = OrderedJson::array();
-  for_side_files(folder, "stress", [&](const OrderedJson& document, const std::string& file) {
+  for_side_files(folder, kStressSchema, [&](const OrderedJson& document, const std::string& file) {
     require_fields(document, kStressFields);
     OrderedJson map = document;
     map["file"] = file;
@@ -174,7 +184,7 @@ OrderedJson stress_data(const std::filesystem::path& folder) {
 
 OrderedJson regress_data(const std::filesystem::path& folder) {
   OrderedJson checks = OrderedJson::array();
-  for_side_files(folder, "regress", [&](const OrderedJson& document, const std::string& file) {
+  for_side_files(folder, kRegressSchema, [&](const OrderedJson& document, const std::string& file) {
     require_fields(document, kRegressFields);
     OrderedJson check = document;
     check["file"] = file;

@@ -25,21 +25,23 @@ std::vector<std::filesystem::path> files_of(const std::filesystem::path& folder,
 
 }  // namespace
 
-void for_side_files(const std::filesystem::path& folder, const std::string& verb, const ReadSideFile& read) {
-  for (const std::filesystem::path& path : files_of(folder, verb)) {
+void for_side_files(const std::filesystem::path& folder, const FileSchema& schema, const ReadSideFile& read) {
+  for (const std::filesystem::path& path : files_of(folder, schema.what)) {
     try {
-      read(nlohmann::ordered_json::parse(read_file(path)), path.filename().string());
+      const auto document = nlohmann::ordered_json::parse(read_file(path));
+      require_schema(document, schema, path.string());
+      read(document, path.filename().string());
     } catch (const nlohmann::json::exception& error) {  // a foreign exception becomes ours here
-      fail_input(fmt::format("not what '{}' writes: {}", verb, error.what()), {path.string()},
-                 fmt::format("make it again with 'umbrameter {}', or move it elsewhere", verb));
+      fail_input(fmt::format("not what '{}' writes: {}", schema.what, error.what()), {path.string()},
+                 fmt::format("{}, or move it elsewhere", schema.again));
     }
   }
 }
 
 std::vector<std::filesystem::path> side_files(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> all;
-  for (const char* verb : {"bench", "regress", "stress", "tune"}) {
-    const std::vector<std::filesystem::path> files = files_of(folder, verb);
+  for (const FileSchema& schema : {kBenchSchema, kRegressSchema, kStressSchema, kTuneSchema}) {
+    const std::vector<std::filesystem::path> files = files_of(folder, schema.what);
     all.insert(all.end(), files.begin(), files.end());
   }
   return all;

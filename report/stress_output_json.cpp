@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/stress_output.h"
 #include "results/json/json_parts.h"
+#include "results/json/schemas.h"
 
 #include <nlohmann/json.hpp>
 
@@ -50,7 +51,7 @@ std::string stress_json(const StressResults& results) {
   }
   for (const StressCell& cell : results.cells) cells.push_back(cell_json(cell));
   for (const StressCell* cell : results.violations()) violations.push_back(violation_text(results, *cell));
-  return dump({{"schema", 1},
+  return dump({{"schema", kStressSchema.number},
                {"title", results.plan.title},
                {"version", results.version},
                {"commit", results.commit},

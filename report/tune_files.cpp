@@ -78,7 +78,7 @@ OrderedJson tuning_json(const OrderedJson& document, const std::string& file) {
 
 OrderedJson read_tunings(const std::filesystem::path& folder) {
   OrderedJson tunings = OrderedJson::array();
-  for_side_files(folder, "tune", [&](const OrderedJson& document, const std::string& file) {
+  for_side_files(folder, kTuneSchema, [&](const OrderedJson& document, const std::string& file) {
     if (document.contains("best")) tunings.push_back(tuning_json(document, file));
   });
   return tunings;
@@ -86,7 +86,7 @@ OrderedJson read_tunings(const std::filesystem::path& folder) {
 
 OrderedJson read_bias_sweeps(const std::filesystem::path& folder) {
   OrderedJson sweeps = OrderedJson::array();
-  for_side_files(folder, "tune", [&](const OrderedJson& document, const std::string& file) {
+  for_side_files(folder, kTuneSchema, [&](const OrderedJson& document, const std::string& file) {
     if (!document.contains("bias_sweep")) return;
     const OrderedJson& found = document.at("bias_sweep");
     if (found.is_null()) return;

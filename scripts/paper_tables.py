@@ -56,9 +56,9 @@ def claims_table(study):
 
 
 def error_text(run):
-    if run is None or run["rmse"] is None:
+    if run is None or not run["error"] or not run["error"]["rmse"]:
         return ""
-    return f"{run['rmse']['value']:.4f}"
+    return f"{run['error']['rmse']['value']:.4f}"
 
 
 def errors_table(study):

@@ -2,12 +2,8 @@
 #include "lab/pictures/picture_json.h"
 
 #include "results/catalogue.h"
-#include "results/json/diagnosis_json.h"
-#include "results/json/json_optional.h"
 #include "results/json/json_parts.h"
-#include "results/json/judgement_json.h"
 #include "results/json/run_json.h"
-#include "results/json/similarity_json.h"
 
 namespace umbrameter {
 namespace {
@@ -28,13 +24,8 @@ OrderedJson picture_json(const PictureScore& picture, const std::string& test_fi
                    {"quantity_given", picture.is_quantity_given},
                    {"other_rmse", interval_json(picture.other_rmse)},
                    {"parity", parity},
-                   {"scorable_pixels", score.scorable_pixels},
-                   {"error", score.error ? error_json(*score.error) : OrderedJson(nullptr)},
-                   {"lit_rmse", optional_json(score.lit_rmse)}};
-  add_judgement(score.judgement, json);
-  add_diagnosis(score.diagnosis, json);
-  json["similarity"] = similarity_json(score.similarity);
-  json["measurements"] = measurements_json(result_of(score));
+                   {"scorable_pixels", score.scorable_pixels}};
+  add_measures(result_of(score), json);
   json["no_diagnosis"] = failure_json(score.no_diagnosis);
   json["notes"] = picture.notes;
   json["mean_square_rounding"] = picture.mean_square_rounding;

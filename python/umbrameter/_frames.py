@@ -11,7 +11,7 @@ from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, Any, Dict, Iterable, List, Tuple, Union
 
 from ._core import InputError, MachineError
-from ._rows import Record, Row, baseline_times, case_row, cell_row, context, identity, interval, parameters, plain, run_row, time_of_frame, window_row
+from ._rows import Record, Row, baseline_times, case_row, cell_row, context, interval, parameters, plain, run_row, window_row
 
 if TYPE_CHECKING:
     import pandas
@@ -56,6 +56,8 @@ def frames(folder: Union[str, "os.PathLike[str]"]) -> Frames:
     for file in files:
         try:
             tables.add(json.loads(file.read_text()))
+        except InputError as error:
+            raise InputError(f"{file}: {error}") from None
         except (ValueError, KeyError, TypeError, AttributeError) as error:
             raise InputError(f"{file}: no record of any verb ({type(error).__name__}: {error})") from None
     store = place / "store.sqlite"
@@ -81,6 +83,11 @@ def require_pandas() -> Any:
     return pandas
 
 
+# Verb, a key that only it writes, and the schema that is read (results/json/schemas.h).
+SCHEMAS = (("validate", "parity_passes", 4), ("bench", "wanted_frames", 2), ("tune", "coarse_trials", 1), ("regress", "cases", 1),
+           ("stress", "cells", 1))
+
+
 class _Tables:
     """Rows by frame, until they are frames."""
 
@@ -89,6 +96,7 @@ class _Tables:
 
     def add(self, record: Record) -> None:
         """A record is known by the keys that only its verb writes."""
+        _require_schema(record)
         if "studies" in record:
             for study in record["studies"]:
                 self.add(study)
@@ -121,10 +129,8 @@ class _Tables:
             for run in scene["runs"]:
                 times = interval("time_ms", run["time_ms"])
                 times = {"time_ms": times["time_ms"], "time_low": times["time_ms_low"], "time_high": times["time_ms_high"]}
-                self.rows["runs"].append({**head, **identity(run), "seed": run["seed"], **interval("rmse", run["rmse"]),
-                                          "bias": run["bias"], **time_of_frame(run["pass_times"]), **times, "timer": run["timer"],
-                                          "is_on_front": run["is_on_front"], "is_software": run["is_software"],
-                                          "memory_bytes": run["memory_bytes"], "device": run["device"], **parameters(run)})
+                self.rows["runs"].append({**head, **run_row(run), "seed": run["seed"], **times, "is_on_front": run["is_on_front"],
+                                          "is_software": run["is_software"]})
             for claim in scene["claims"]:
                 paper = claim["paper"]
                 self.rows["claims"].append({**head, **plain(claim), "paper_low": paper["low"], "paper_high": paper["high"],
@@ -148,6 +154,12 @@ class _Tables:
     def frames(self) -> Frames:
         pandas = require_pandas()
         return Frames(**{name: _parameters_last(pandas.DataFrame(rows)) for name, rows in self.rows.items()})
+
+
+def _require_schema(record: Record) -> None:
+    for verb, key, schema in SCHEMAS:
+        if key in record and record.get("schema") != schema:
+            raise InputError(f"{verb} of schema {record.get('schema')}; this version reads {schema} (run 'umbrameter {verb}' again)")
 
 
 def _parameters_last(frame: "pandas.DataFrame") -> "pandas.DataFrame":

@@ -39,8 +39,8 @@ std::vector<std::string> cells(const BenchScene& scene, const BenchEntry& entry,
                                std::to_string(entry.seed),
                                std::to_string(results.plan.picture.width_px),
                                std::to_string(results.plan.picture.height_px)};
-  add_interval(entry.rmse, row);
-  row.push_back(entry.bias ? csv_number(*entry.bias) : "");
+  add_interval(entry.rmse(), row);
+  row.push_back(entry.error && entry.error->bias ? csv_number(*entry.error->bias) : "");
   row.push_back(total ? csv_number(total->median_ms) : "");
   row.push_back(entry.time_ms ? csv_number(entry.time_ms->low) : "");
   row.push_back(entry.time_ms ? csv_number(entry.time_ms->high) : "");

@@ -4,6 +4,8 @@
 #include "results/bench/recommend.h"
 #include "results/json/json_optional.h"
 #include "results/json/json_parts.h"
+#include "results/json/run_json.h"
+#include "results/json/schemas.h"
 
 #include <cmath>
 
@@ -13,24 +15,16 @@ namespace {
 using OrderedJson = nlohmann::ordered_json;
 
 OrderedJson entry_json(const BenchEntry& entry) {
-  return {{"label", entry.label},
-          {"technique", entry.technique},
-          {"hash", entry.hash},
-          {"parameters", parameters_json(entry.parameters)},
-          {"compares_per_pixel", optional_json(entry.compares_per_pixel)},
-          {"seed", entry.seed},
-          {"failure", failure_json(entry.failure)},
-          {"rmse", interval_json(entry.rmse)},
-          {"bias", optional_json(entry.bias)},
-          {"time_ms", interval_json(entry.time_ms)},
-          {"pass_times", times_json(summarise(entry.times))},
-          {"timer", entry.timer},
-          {"device", entry.device},
-          {"is_software", entry.is_software},
-          {"memory_bytes", entry.memory_bytes},
-          {"is_on_front", entry.has_place ? OrderedJson(!entry.dominated_by) : OrderedJson(nullptr)},
-          {"dominated_by", optional_json(entry.dominated_by)},
-          {"warnings", entry.warnings}};
+  TechniqueResult run = entry;
+  run.pass_times = summarise(entry.times);
+  OrderedJson json = technique_json(run);
+  json["seed"] = entry.seed;
+  json["compares_per_pixel"] = optional_json(entry.compares_per_pixel);
+  json["time_ms"] = interval_json(entry.time_ms);
+  json["is_software"] = entry.is_software;
+  json["is_on_front"] = entry.has_place ? OrderedJson(!entry.dominated_by) : OrderedJson(nullptr);
+  json["dominated_by"] = optional_json(entry.dominated_by);
+  return json;
 }
 
 /// Infinity, which JSON lacks, is null: "at least".
@@ -123,7 +117,7 @@ std::string to_json_text(const BenchResults& results, const BenchQueries& querie
   const BenchPlan& plan = results.plan;
   OrderedJson scenes = OrderedJson::array();
   for (const BenchScene& scene : results.scenes) scenes.push_back(scene_json(scene, plan, queries));
-  return dump({{"schema", kBenchSchema},
+  return dump({{"schema", kBenchSchema.number},
                {"version", results.version},
                {"commit", results.commit},
                {"study", plan.file},

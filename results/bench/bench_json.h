@@ -9,8 +9,6 @@
 
 namespace umbrameter {
 
-inline constexpr int kBenchSchema = 1;
-
 /// What was asked beside the tables.
 struct BenchQueries {
   std::optional<double> best_under_ms;

@@ -6,14 +6,22 @@
 namespace umbrameter {
 namespace {
 
-using Measure = std::optional<Interval> BenchEntry::*;
+using Measure = std::optional<Interval> (*)(const BenchEntry&);
+
+std::optional<Interval> rmse_of(const BenchEntry& entry) {
+  return entry.rmse();
+}
+
+std::optional<Interval> time_of(const BenchEntry& entry) {
+  return entry.time_ms;
+}
 
 bool is_below(const Interval& a, const Interval& b) {
   return a.high < b.low;
 }
 
 bool dominates(const BenchEntry& a, const BenchEntry& b) {
-  return is_below(*a.time_ms, *b.time_ms) && is_below(*a.rmse, *b.rmse);
+  return is_below(*a.time_ms, *b.time_ms) && is_below(*a.rmse(), *b.rmse());
 }
 
 /// The smallest `wanted` where `limited` stays under `limit`.
@@ -21,12 +29,12 @@ Ranking smallest(std::span<const BenchEntry> entries, Measure wanted, Measure li
   Ranking ranking;
   for (size_t i = 0; i < entries.size(); ++i) {
     const BenchEntry& entry = entries[i];
-    if (entry.has_place && (entry.*limited)->high < limit) ranking.push_back(i);
+    if (entry.has_place && limited(entry)->high < limit) ranking.push_back(i);
   }
-  const auto value = [&](size_t i) { return (entries[i].*wanted)->value; };
+  const auto value = [&](size_t i) { return wanted(entries[i])->value; };
   std::ranges::stable_sort(ranking, {}, value);
   std::erase_if(ranking, [&, best = ranking.empty() ? size_t{0} : ranking.front()](size_t i) {
-    return is_below(*(entries[best].*wanted), *(entries[i].*wanted));
+    return is_below(*wanted(entries[best]), *wanted(entries[i]));
   });
   return ranking;
 }
@@ -35,7 +43,7 @@ Ranking smallest(std::span<const BenchEntry> entries, Measure wanted, Measure li
 
 void find_front(std::vector<BenchEntry>& entries) {
   for (BenchEntry& entry : entries)
-    entry.has_place = !entry.failure && entry.time_ms.has_value() && entry.rmse.has_value();
+    entry.has_place = !entry.failure && entry.time_ms.has_value() && entry.rmse().has_value();
   for (BenchEntry& entry : entries) {
     entry.dominated_by.reset();
     if (!entry.has_place) continue;
@@ -49,11 +57,11 @@ void find_front(std::vector<BenchEntry>& entries) {
 }
 
 Ranking best_under(std::span<const BenchEntry> entries, double limit_ms) {
-  return smallest(entries, &BenchEntry::rmse, &BenchEntry::time_ms, limit_ms);
+  return smallest(entries, rmse_of, time_of, limit_ms);
 }
 
 Ranking cheapest_below_rmse(std::span<const BenchEntry> entries, double limit) {
-  return smallest(entries, &BenchEntry::time_ms, &BenchEntry::rmse, limit);
+  return smallest(entries, time_of, rmse_of, limit);
 }
 
 }  // namespace umbrameter

@@ -13,28 +13,18 @@
 
 namespace umbrameter {
 
-/// One run on one scene. `rmse` is absent when the run failed or there is no truth to compare with; `time_ms` when fewer
-/// than six frames were timed.
-struct BenchEntry {
-  std::string label;
-  std::string technique;  // id
-  std::string hash;       // of the technique's manifest and shaders
-  ParameterValues parameters;
+/// One run on one scene, with what a bench knows beside. It has no `error` when it failed or there is no truth to compare with.
+struct BenchEntry : TechniqueResult {
   std::optional<double> compares_per_pixel;
   std::string picture_hash;  // of its visibility, to the bit; empty without one
   uint64_t seed = 0;
-  std::optional<Failure> failure;
   FrameTimes times;
-  std::optional<Interval> time_ms;  // median of a whole frame
-  std::optional<Interval> rmse;     // debiased
-  std::optional<double> bias;
-  uint64_t memory_bytes = 0;
-  std::string device;
+  std::optional<Interval> time_ms;  // median of a whole frame; absent when fewer than six were timed
   bool is_software = false;
-  std::string timer;
-  std::vector<std::string> warnings;
   std::optional<std::string> dominated_by;  // label of a run that is faster and closer to the truth
   bool has_place = false;  // both intervals are known, so that `dominated_by` means something
+
+  std::optional<Interval> rmse() const { return error ? error->rmse : std::nullopt; }
 };
 
 /// Sets `has_place` and `dominated_by`. A run is dominated when another's intervals of time and RMSE both lie below its

@@ -9,7 +9,7 @@ namespace umbrameter {
 namespace {
 
 double product(const BenchEntry& entry) {
-  return entry.time_ms->high * entry.rmse->high;
+  return entry.time_ms->high * entry.rmse()->high;
 }
 
 /// Of one run over scenes.

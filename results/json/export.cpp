@@ -4,6 +4,7 @@
 #include "results/catalogue.h"
 #include "results/csv.h"
 #include "results/json/json_parts.h"
+#include "results/json/schemas.h"
 #include "results/metadata.h"
 
 #include <set>

@@ -9,8 +9,6 @@
 
 namespace umbrameter {
 
-inline constexpr int kExportSchema = 1;
-
 struct StoredRuns {
   std::vector<RunRecord> runs;  // by scene, label, seed and size
   size_t older = 0;             // left out: the same run made again by other code or on another device

@@ -9,8 +9,6 @@
 
 namespace umbrameter {
 
-inline constexpr int kResultsSchema = 4;
-
 /// The whole document, indented, ending in a newline; equal results give equal bytes.
 std::string to_json_text(const Results& results);
 

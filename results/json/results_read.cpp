@@ -4,6 +4,7 @@
 #include "results/json/json_optional.h"
 #include "results/json/json_parts.h"
 #include "results/json/run_json.h"
+#include "results/json/schemas.h"
 
 #include <fmt/format.h>
 
@@ -52,10 +53,8 @@ Results read_results(const Json& json) {
 Results parse_results(std::string_view text, const std::string& file) {
   try {
     const Json json = Json::parse(text);
-    const int schema = json.at("schema");
-    if (schema == kResultsSchema) return read_results(json);
-    fail_input(fmt::format("results of schema {}; this version reads {}", schema, kResultsSchema), {file},
-               "run 'umbrameter validate' again");
+    require_schema(json, kResultsSchema, file);
+    return read_results(json);
   } catch (const nlohmann::json::exception& error) {  // a foreign exception becomes ours here
     fail_input(fmt::format("not a results file: {}", error.what()), {file});
   }

@@ -4,6 +4,7 @@
 #include "results/json/json_optional.h"
 #include "results/json/json_parts.h"
 #include "results/json/run_json.h"
+#include "results/json/schemas.h"
 
 #include <nlohmann/json.hpp>
 
@@ -33,7 +34,7 @@ OrderedJson scene_json(const SceneResult& scene) {
 OrderedJson results_json(const Results& results) {
   OrderedJson scenes = OrderedJson::array();
   for (const SceneResult& scene : results.scenes) scenes.push_back(scene_json(scene));
-  return {{"schema", kResultsSchema},
+  return {{"schema", kResultsSchema.number},
           {"version", results.version},
           {"commit", results.commit},
           {"quality", results.quality},

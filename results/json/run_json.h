@@ -17,6 +17,8 @@ nlohmann::ordered_json error_json(const VisibilityError& error);
 nlohmann::ordered_json catalogue_json();
 /// Each row of the catalogue that has a value, by its key.
 nlohmann::ordered_json measurements_json(const TechniqueResult& run);
+/// What a picture got against the truth: the same keys wherever a run stands.
+void add_measures(const TechniqueResult& run, nlohmann::ordered_json& json);
 nlohmann::ordered_json technique_json(const TechniqueResult& run);
 nlohmann::ordered_json reference_json(const std::optional<ReferenceResult>& reference);
 

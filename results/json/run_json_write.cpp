@@ -87,6 +87,15 @@ OrderedJson measurements_json(const TechniqueResult& run) {
   return values;
 }
 
+void add_measures(const TechniqueResult& run, OrderedJson& json) {
+  json["error"] = run.error ? error_json(*run.error) : OrderedJson(nullptr);
+  json["lit_rmse"] = optional_json(run.lit_rmse);
+  add_judgement(run.judgement, json);
+  add_diagnosis(run.diagnosis, json);
+  json["similarity"] = similarity_json(run.similarity);
+  json["measurements"] = measurements_json(run);
+}
+
 OrderedJson technique_json(const TechniqueResult& run) {
   OrderedJson json{{"label", run.label},
                    {"technique", run.technique},
@@ -95,8 +104,6 @@ OrderedJson technique_json(const TechniqueResult& run) {
                    {"hash", run.hash},
                    {"parameters", parameters_json(run.parameters)},
                    {"failure", failure_json(run.failure)},
-                   {"error", run.error ? error_json(*run.error) : OrderedJson(nullptr)},
-                   {"lit_rmse", optional_json(run.lit_rmse)},
                    {"clipped_share", run.clipped_share},
                    {"pass_times", times_json(run.pass_times)},
                    {"timer", run.timer},
@@ -114,13 +121,10 @@ OrderedJson technique_json(const TechniqueResult& run) {
     json["frames_before"] = run.frames_before;
     json["motion"] = run.motion;
   }
-  add_judgement(run.judgement, json);
-  add_diagnosis(run.diagnosis, json);
+  add_measures(run, json);
   if (run.fault_causes) json["fault_causes"] = fault_causes_json(run.fault_causes);
   json["temporal"] = temporal_json(run.temporal);
-  json["similarity"] = similarity_json(run.similarity);
   json["maps_file"] = run.maps_file;
-  json["measurements"] = measurements_json(run);
   return json;
 }
 

@@ -4,6 +4,7 @@
 #include "core/version.h"
 #include "results/json/json_optional.h"
 #include "results/json/json_parts.h"
+#include "results/json/schemas.h"
 #include "results/tune/tune_files.h"
 
 #include <cmath>
@@ -119,7 +120,7 @@ OrderedJson tuning_json(const TuneResult& result) {
                              {"rise_above", optional_json(one.rise_above)},
                              {"relative_spread", one.relative_spread}});
   }
-  return {{"schema", 1},
+  return {{"schema", kTuneSchema.number},
           {"version", kVersion},
           {"commit", kCommit},
           {"scenes", result.scenes},
@@ -167,7 +168,7 @@ std::string lights_json_text(std::span<const LightTuning> tunings, std::span<con
   for (const LightTuning& one : tunings)
     lights.push_back({{"light", one.light}, {"tuning", tuning_json(*one.result)}});
   for (const LitSum& sum : sums) lit.push_back(lit_sum_json(sum));
-  return dump({{"schema", 1}, {"lights", lights}, {"lit_sums", lit}});
+  return dump({{"schema", kTuneSchema.number}, {"lights", lights}, {"lit_sums", lit}});
 }
 
 }  // namespace umbrameter

@@ -62,10 +62,7 @@ std::vector<const BenchRun*> choose_runs(const BenchContext& context, BenchScene
     }
     runs.push_back(&run);
     BenchEntry entry;
-    entry.label = technique.label;
-    entry.technique = technique.id;
-    entry.hash = technique.hash;
-    entry.parameters = technique.parameters;
+    static_cast<TechniqueResult&>(entry) = describe(technique);
     entry.compares_per_pixel = run.compares_per_pixel;
     entry.seed = run.seed;
     scene.entries.push_back(std::move(entry));
@@ -107,27 +104,22 @@ void ask_truth(const BenchContext& context, const Image& surfaces, AskedTruth& t
   });
 }
 
-void take_error(const std::optional<VisibilityError>& error, BenchEntry& entry) {
-  if (!error) return;
-  entry.rmse = error->rmse;
-  entry.bias = error->bias;
-}
-
 /// A run's first picture. `kept` is null without a memory.
 void take_first_frame(const BenchContext& context, Frame& frame, KeptRun* kept, AskedTruth& truth,
                       BenchScene& scene, BenchEntry& entry) {
   entry.picture_hash = Hasher().values(std::as_const(frame.image).plane("visibility")).hex();
   if (!truth.is_asked) ask_truth(context, frame.image, truth, scene);
   entry.failure = guarded([&] {
-    if (kept != nullptr && kept->is_known) return take_error(kept->record.result.error, entry);
+    take_frame(frame, entry);
+    if (kept != nullptr && kept->is_known) return take_record(kept->record, entry);
     if (!truth.image) return;
     if (kept != nullptr) {
       keep_scored(*context.cache, context.job.scene, frame, *truth.image, truth.shared, *kept);
-      return take_error(kept->record.result.error, entry);
+      return take_record(kept->record, entry);
     }
     std::optional<Image> made;
     const Image& asked = truth_for(frame.image, *truth.image, made);
-    take_error(measure_visibility_error(frame.image, asked, known_mask(truth.mask, frame.image)), entry);
+    entry.error = measure_visibility_error(frame.image, asked, known_mask(truth.mask, frame.image));
   });
   frame.image = Image();
 }

@@ -40,20 +40,11 @@ OrderedJson times_json_of(const BenchEntry& entry) {
 }
 
 void read_entry(const nlohmann::json& json, const RunRecord& record, BenchEntry& entry) {
-  const TechniqueResult& result = record.result;
-  entry.failure = result.failure;
+  take_record(record, entry);
   entry.picture_hash = json.at("picture_hash");
   entry.is_software = json.at("is_software");
   entry.times = {json.at("passes"), json.at("frames_ms")};
   entry.time_ms = median_interval(frame_totals(entry.times));
-  entry.parameters = result.parameters;
-  entry.memory_bytes = result.memory_bytes;
-  entry.device = result.device;
-  entry.timer = result.timer;
-  entry.warnings = result.warnings;
-  if (!result.error) return;
-  entry.rmse = result.error->rmse;
-  entry.bias = result.error->bias;
 }
 
 void read_scene(const nlohmann::json& json, std::span<const KeptRun> runs, BenchScene& scene) {
@@ -66,6 +57,12 @@ void read_scene(const nlohmann::json& json, std::span<const KeptRun> runs, Bench
 }
 
 }  // namespace
+
+void take_record(const RunRecord& record, BenchEntry& entry) {
+  const std::string label = entry.label;  // another study's run may be the same one
+  static_cast<TechniqueResult&>(entry) = record.result;
+  entry.label = label;
+}
 
 std::vector<KeptRun> find_runs(BenchCache& cache, const StudyScene& job, const BenchPlan& plan,
                                std::span<const BenchRun* const> runs) {

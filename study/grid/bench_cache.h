@@ -21,6 +21,9 @@ struct KeptRun {
   bool is_known = false;
 };
 
+/// What the store says of a run, under the entry's label.
+void take_record(const RunRecord& record, BenchEntry& entry);
+
 /// Every run with what is known of it.
 std::vector<KeptRun> find_runs(BenchCache& cache, const StudyScene& job, const BenchPlan& plan,
                                std::span<const BenchRun* const> runs);

@@ -213,6 +213,9 @@ class Records(InFolder):
         (self.folder / "bench.json").write_text('{"mine": 1}')
         with self.assertRaisesRegex(um.InputError, "bench.json: no record of any verb .*mine"):
             um.frames(self.folder)
+        (self.folder / "bench.json").write_text('{"schema": 1, "wanted_frames": 6}')
+        with self.assertRaisesRegex(um.InputError, "bench.json: bench of schema 1; this version reads 2 .run 'umbrameter bench' again"):
+            um.frames(self.folder)
         (self.folder / "bench.json").write_text("{")
         with self.assertRaisesRegex(um.InputError, "bench.json: no record of any verb"):
             um.frames(self.folder)

@@ -13,8 +13,10 @@
 #include "report/required_fields.h"
 #include "report/side_data.h"
 #include "report/stress_output.h"
+#include "report/tune_files.h"
 #include "results/bench/bench_json.h"
 #include "results/json/results_json.h"
+#include "results/json/schemas.h"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -22,6 +24,7 @@
 namespace umbrameter {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 using testing::ThrowsMessage;
@@ -33,7 +36,7 @@ BenchEntry entry(const std::string& label, double ms, double rmse) {
   one.is_software = true;
   one.times = {{"map"}, std::vector<std::vector<double>>(6, {ms})};
   one.time_ms = Interval{ms, 0.9 * ms, 1.1 * ms};
-  one.rmse = Interval{rmse, 0.9 * rmse, 1.1 * rmse};
+  one.error.emplace().rmse = Interval{rmse, 0.9 * rmse, 1.1 * rmse};
   return one;
 }
 
@@ -108,7 +111,11 @@ TEST(ReportParts, AreEmptyWithoutTheirFilesAndRefuseMalformedOnes) {
                                       std::pair("stress.json", "stress.json: not what 'stress' writes"),
                                       std::pair("regress.json", "regress.json: not what 'regress' writes")}) {
     const auto file = folder.path() / name;
-    write_file_atomically(file, R"({"scenes": 3, "axes": [{}], "cases": [1]})");
+    const int schema = std::string_view(name).starts_with("bench") ? kBenchSchema.number : 1;
+    write_file_atomically(file,
+                          Json{{"schema", schema}, {"scenes", 3}, {"axes", {1}}, {"cases", {1}}}.dump());
+    EXPECT_THAT([&] { side_data(folder.path()); }, ThrowsMessage<Error>(HasSubstr(message)));
+    write_file_atomically(file, "{}");
     EXPECT_THAT([&] { side_data(folder.path()); }, ThrowsMessage<Error>(HasSubstr(message)));
     std::filesystem::remove(file);
   }
@@ -116,6 +123,24 @@ TEST(ReportParts, AreEmptyWithoutTheirFilesAndRefuseMalformedOnes) {
   unknown["cells"][5]["outcome"] = "melted";
   write_file_atomically(folder.path() / "stress.json", unknown.dump());
   EXPECT_THAT([&] { side_data(folder.path()); }, ThrowsMessage<Error>(HasSubstr("'melted'")));
+}
+
+TEST(ReportParts, RefuseAnotherSchemaWithNumberFileAndHint) {
+  const TemporaryFolder folder;
+  const auto refuses = [&](const char* name, const auto& read, const FileSchema& schema) {
+    const int older = schema.number - 1;
+    write_file_atomically(folder.path() / name, Json{{"schema", older}}.dump());
+    const std::string numbers =
+        fmt::format("{} of schema {}; this version reads {} (", schema.what, older, schema.number);
+    EXPECT_THAT([&] { read(folder.path()); },
+                ThrowsMessage<Error>(AllOf(HasSubstr(name), HasSubstr(numbers), HasSubstr(schema.again))));
+    std::filesystem::remove(folder.path() / name);
+  };
+  refuses("bench.json", side_data, kBenchSchema);
+  refuses("stress.json", side_data, kStressSchema);
+  refuses("regress.json", side_data, kRegressSchema);
+  refuses("tune.json", read_tunings, kTuneSchema);
+  refuses("tune.json", read_bias_sweeps, kTuneSchema);
 }
 
 TEST(ReportParts, RefuseAFieldThatIsMissingOrOfAnotherType) {

@@ -80,7 +80,7 @@ TEST_F(ReportFolder, PutsPixelsBeyondTheBudgetBesideThePage) {
 
 TEST_F(ReportFolder, ShowsBiasSweepsAndRefusesMalformedOnes) {
   const char* sweep =
-      R"({"technique": "pcf", "scenes": ["plate"], "bias_sweep": [{"parameter": "bias_texels", "unit": "texels",
+      R"({"schema": 1, "technique": "pcf", "scenes": ["plate"], "bias_sweep": [{"parameter": "bias_texels", "unit": "texels",
           "is_complete": true, "has_window": true, "acne_free_from": {"texels": 0.5, "world": 0.005},
           "peter_pan_free_to": {"texels": 1, "world": 0.01}, "bias": [0, 1], "objective": [2, null],
           "acne_share": [1, 0], "peter_panning_share": [0, 1]}]})";
@@ -88,7 +88,7 @@ TEST_F(ReportFolder, ShowsBiasSweepsAndRefusesMalformedOnes) {
   write_report(folder_.path(), page());
   EXPECT_THAT(read_file(page()), HasSubstr(R"("parameter":"bias_texels")"));
   EXPECT_THAT(read_file(page()), HasSubstr(R"("window":{"empty":false,"low":0.5,"high":1.0})"));
-  write_file_atomically(folder_.path() / "tune-bad.json", R"({"bias_sweep": {"parameter": 3}})");
+  write_file_atomically(folder_.path() / "tune-bad.json", R"({"schema": 1, "bias_sweep": {"parameter": 3}})");
   EXPECT_THAT([&] { write_report(folder_.path(), page()); },
               ThrowsMessage<Error>(HasSubstr("tune-bad.json")));
 }

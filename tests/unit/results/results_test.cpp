@@ -107,8 +107,9 @@ TEST(Results, AnythingElseIsOneSentence) {
               ThrowsMessage<Error>(HasSubstr("a/results.json: not a results file")));
   EXPECT_THAT([] { parse_results("{\"schema\": 4}", "r.json"); },
               ThrowsMessage<Error>(HasSubstr("not a results file")));
-  EXPECT_THAT([] { parse_results("{\"schema\": 99}", "r.json"); },
-              ThrowsMessage<Error>(HasSubstr("schema 99")));
+  EXPECT_THAT(
+      [] { parse_results("{\"schema\": 99}", "r.json"); },
+      ThrowsMessage<Error>(HasSubstr("r.json: results of schema 99; this version reads 4 (run 'umbrameter")));
 }
 
 TEST(Results, OfAWrongTypeAreBadInputAndNothingWorse) {

@@ -6,6 +6,8 @@
 
 #include "core/error.h"
 #include "results/bench/bench_json.h"
+#include "results/json/run_json.h"
+#include "results/json/schemas.h"
 #include "tests/support/lab/fakes.h"
 
 #include <gmock/gmock.h>
@@ -27,7 +29,7 @@ BenchEntry entry(const std::string& label, Interval time_ms, Interval rmse) {
   BenchEntry result;
   result.label = label;
   result.time_ms = time_ms;
-  result.rmse = rmse;
+  result.error.emplace().rmse = rmse;
   return result;
 }
 
@@ -257,9 +259,9 @@ TEST_F(Bench, MeasuresErrorBesideTime) {
   ASSERT_EQ(scene.entries.size(), 3u);
   const BenchEntry& exact = scene.entries[0];
   const BenchEntry& off = scene.entries[1];
-  EXPECT_NEAR(exact.rmse->value, 0.0, 1e-6);
+  EXPECT_NEAR(exact.rmse()->value, 0.0, 1e-6);
   // 0.1 over 19 of the 39 scored columns: sqrt(0.01 * 19 / 39).
-  EXPECT_NEAR(off.rmse->value, 0.06980, 1e-4);
+  EXPECT_NEAR(off.rmse()->value, 0.06980, 1e-4);
   EXPECT_EQ(exact.times.frames_ms.size(), 10u);
   EXPECT_NEAR(exact.time_ms->value, 4.0, 0.1);
   EXPECT_TRUE(exact.has_place && off.has_place);
@@ -285,7 +287,7 @@ TEST_F(Bench, WithoutATruthTimesStandAndErrorsDoNot) {
   const std::vector<StudyScene> scenes{study_scene("plate")};
   const BenchScene scene = run_bench(scenes, plan_, {reference, realtime_}, progress).scenes[0];
   ASSERT_TRUE(scene.failure);
-  EXPECT_FALSE(scene.entries[0].rmse);
+  EXPECT_FALSE(scene.entries[0].rmse());
   EXPECT_FALSE(scene.entries[0].has_place);
   EXPECT_TRUE(scene.entries[0].time_ms);
   EXPECT_EQ(verdict_text(scene.claims[0]), "inside");
@@ -310,7 +312,7 @@ TEST_F(Bench, AClaimOfASceneHoldsForItsCameras) {
 TEST_F(Bench, JsonHoldsTheContextAndTheAnswers) {
   const BenchResults results = run();
   const Json json = Json::parse(to_json_text(results, {.best_under_ms = 2.0, .cheapest_below_rmse = 0.02}));
-  EXPECT_EQ(json["schema"], 1);
+  EXPECT_EQ(json["schema"], kBenchSchema.number);
   EXPECT_EQ(json["note"], "");
   const Json& scene = json["scenes"][1];
   EXPECT_EQ(scene["name"], "assets/bunny");
@@ -320,6 +322,10 @@ TEST_F(Bench, JsonHoldsTheContextAndTheAnswers) {
   EXPECT_EQ(scene["runs"][0]["seed"], 7);
   EXPECT_EQ(scene["runs"][0]["parameters"]["taps"], 16);
   EXPECT_EQ(scene["runs"][0]["timer"], "fake clock");
+  const TechniqueResult read = read_technique(scene["runs"][0]);  // a run has one shape everywhere
+  EXPECT_EQ(read.label, "exact");
+  EXPECT_EQ(read.error->rmse->value, results.scenes[1].entries[0].rmse()->value);
+  EXPECT_EQ(scene["runs"][0]["measurements"]["rmse"], read.error->rmse->value);
   EXPECT_EQ(scene["runs"][0]["pass_times"][2]["pass"], "total");
   EXPECT_EQ(scene["runs"][0]["is_on_front"], true);
   EXPECT_TRUE(scene["runs"][2]["is_on_front"].is_null());

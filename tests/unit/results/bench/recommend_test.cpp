@@ -14,7 +14,7 @@ BenchEntry entry(const std::string& label, double time_ms, double rmse) {
   BenchEntry result;
   result.label = label;
   result.time_ms = Interval{time_ms, time_ms, time_ms};
-  result.rmse = Interval{rmse, rmse, rmse};
+  result.error.emplace().rmse = Interval{rmse, rmse, rmse};
   result.has_place = true;
   return result;
 }
@@ -23,7 +23,7 @@ TEST(Recommend, TakesTheLeastProductOfTimeAndError) {
   // Products 0.4, 0.2 and 0.3.
   std::vector<BenchEntry> entries{entry("fast", 1, 0.4), entry("knee", 2, 0.1), entry("good", 10, 0.03)};
   EXPECT_EQ(recommended(entries), 1u);
-  entries[1].rmse->high = 0.2;  // 0.4: its error may be that large
+  entries[1].error->rmse->high = 0.2;  // 0.4: its error may be that large
   EXPECT_EQ(recommended(entries), 2u);
   entries[2].has_place = false;
   EXPECT_EQ(recommended(entries), 0u);
