@@ -16,7 +16,7 @@ namespace {
 
 using testing::HasSubstr;
 
-class Memory : public testing::Test {
+class ValidationCaching : public testing::Test {
  protected:
   Results validate(const ValidationPlan& plan, bool reuse = true, const std::string& device = "device 1") {
     LazyStore store(folder_.path() / "out");
@@ -46,7 +46,7 @@ class Memory : public testing::Test {
   const SceneJob job_ = fake_scene("plate");
 };
 
-TEST_F(Memory, TheSameQuestionRendersNothingAndHasTheSameAnswer) {
+TEST_F(ValidationCaching, TheSameQuestionRendersNothingAndHasTheSameAnswer) {
   const ValidationPlan plan = fake_plan({technique("exact"), technique("off")});
   const Results first = validate(plan);
   EXPECT_EQ(rendered(), 4u);  // surfaces, two techniques, the truth
@@ -75,7 +75,7 @@ TechniqueRun biased(const std::string& id) {
   return run;
 }
 
-TEST_F(Memory, CausesAreFoundOnceAndKept) {
+TEST_F(ValidationCaching, CausesAreFoundOnceAndKept) {
   ValidationPlan plan = fake_plan({biased("off"), technique("exact")});
   validate(plan);
   rendered();
@@ -113,7 +113,7 @@ TechniqueRun with_many_causes(const std::string& id) {
   return run;
 }
 
-TEST_F(Memory, CausesThatCostMoreThanTheSceneAreLeftOutUnlessAskedFor) {
+TEST_F(ValidationCaching, CausesThatCostMoreThanTheSceneAreLeftOutUnlessAskedFor) {
   ValidationPlan plan = fake_plan({with_many_causes("off")});
   plan.causes = CausesWanted::automatic;
   const Results skipped = validate(plan);
@@ -128,7 +128,7 @@ TEST_F(Memory, CausesThatCostMoreThanTheSceneAreLeftOutUnlessAskedFor) {
   EXPECT_EQ(rendered(), 25u);  // each once, and the light's points
 }
 
-TEST_F(Memory, WhetherCausesAreWorthTheirCostIsNoMatterOfTime) {
+TEST_F(ValidationCaching, WhetherCausesAreWorthTheirCostIsNoMatterOfTime) {
   const auto is_tried = [&](int timed_frames, double frame_ms) {
     realtime_ = fake_realtime(frame_ms);
     ValidationPlan plan = fake_plan({with_many_causes("off")});
@@ -142,7 +142,7 @@ TEST_F(Memory, WhetherCausesAreWorthTheirCostIsNoMatterOfTime) {
   EXPECT_TRUE(is_tried(51, 1000.0));
 }
 
-TEST_F(Memory, ASkipOfOneSceneIsNoSkipOfALargerOne) {
+TEST_F(ValidationCaching, ASkipOfOneSceneIsNoSkipOfALargerOne) {
   ValidationPlan plan = fake_plan({with_many_causes("off")});
   plan.causes = CausesWanted::automatic;
   EXPECT_TRUE(validate(plan).scenes[0].techniques[0].fault_causes->skipped);
@@ -150,7 +150,7 @@ TEST_F(Memory, ASkipOfOneSceneIsNoSkipOfALargerOne) {
   EXPECT_FALSE(validate(plan).scenes[0].techniques[0].fault_causes->skipped);
 }
 
-TEST_F(Memory, CausesAreOfTheThreeWorstUnlessOfAll) {
+TEST_F(ValidationCaching, CausesAreOfTheThreeWorstUnlessOfAll) {
   std::vector<TechniqueRun> runs;
   for (int k = 0; k < 5; ++k) {
     runs.push_back(biased("off"));
@@ -169,7 +169,7 @@ TEST_F(Memory, CausesAreOfTheThreeWorstUnlessOfAll) {
   EXPECT_EQ(with_causes(CausesWanted::none), 0);
 }
 
-TEST_F(Memory, WhateverChangesANumberIsAnotherQuestion) {
+TEST_F(ValidationCaching, WhateverChangesANumberIsAnotherQuestion) {
   const ValidationPlan plan = fake_plan({technique("off")});
   validate(plan);
   rendered();
@@ -190,7 +190,7 @@ TEST_F(Memory, WhateverChangesANumberIsAnotherQuestion) {
   EXPECT_EQ(validate(plan).work.rendered, 0u);
 }
 
-TEST_F(Memory, OnlyFailuresOfTheInputAreRemembered) {
+TEST_F(ValidationCaching, OnlyFailuresOfTheInputAreRemembered) {
   const ValidationPlan plan = fake_plan({technique("broken"), technique("exact")});
   validate(plan);
   EXPECT_EQ(validate(plan).work.reused, 2u);
@@ -208,7 +208,7 @@ TEST_F(Memory, OnlyFailuresOfTheInputAreRemembered) {
   EXPECT_EQ(again.work.rendered, 1u);
 }
 
-TEST_F(Memory, AVerdictIsOfTheBaselineThatIsAskedFor) {
+TEST_F(ValidationCaching, AVerdictIsOfTheBaselineThatIsAskedFor) {
   ValidationPlan plan = fake_plan({technique("exact"), technique("off")});
   validate(plan);
   plan.baseline = "off";
@@ -220,7 +220,7 @@ TEST_F(Memory, AVerdictIsOfTheBaselineThatIsAskedFor) {
   EXPECT_EQ(other.scenes[0].techniques[0].judgement.verdict->baseline, "off");
 }
 
-TEST_F(Memory, EqualPicturesAreScoredOnce) {
+TEST_F(ValidationCaching, EqualPicturesAreScoredOnce) {
   ValidationPlan plan = fake_plan({technique("exact"), technique("same")});
   const Results twins = validate(plan);
   ASSERT_EQ(twins.scenes[0].techniques[1].left_out.size(), 1u);
@@ -232,7 +232,7 @@ TEST_F(Memory, EqualPicturesAreScoredOnce) {
   EXPECT_EQ(all.scenes[0].techniques[1].error->rmse->value, twins.scenes[0].techniques[1].error->rmse->value);
 }
 
-TEST_F(Memory, ASceneThatTheLightDoesNotReachIsSkipped) {
+TEST_F(ValidationCaching, ASceneThatTheLightDoesNotReachIsSkipped) {
   const auto dark = [](Image image) {
     for (float& e : image.plane("unshadowed_irradiance")) e = 0.0f;
     return frame_of(std::move(image));
