@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "results/measured_rows.h"
 
+#include "metrics/error/p95_error.h"
 #include "metrics/error/worst_pixels.h"
 #include "metrics/faults/map_seam.h"
 #include "metrics/penumbra/width_error.h"
@@ -17,6 +18,14 @@ std::vector<Metric> measured_rows() {
        .doc = "root mean square of V - R over the hundredth of the pixels that is farthest off",
        .measure =
            [](const MetricInputs& in) { return measure_worst_pixels(in.test, in.reference, in.mask); }},
+      {.key = "p95_error",
+       .label = "shaded pixels but a twentieth",
+       .group = "error",
+       .unit = "visibility",
+       .doc =
+           "95th percentile, over shaded pixels, of what |V - R| exceeds two standard errors of the truth by",
+       .measure = [](const MetricInputs& in) { return measure_p95_error(in.test, in.reference, in.mask); },
+       .gate = RowGate{.limit = {0.1, 0.5}}},
       {.key = "map_seam",
        .label = "seams between maps",
        .group = "error",
