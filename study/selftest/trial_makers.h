@@ -6,7 +6,7 @@
 #include "study/selftest/fault_list.h"
 #include "study/selftest/injection.h"
 #include "study/selftest/mutant.h"
-#include "study/selftest/scene_change.h"
+#include "scenes/altered/scene_change.h"
 
 #include <functional>
 #include <string>

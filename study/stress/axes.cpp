@@ -3,6 +3,7 @@
 
 #include "core/error.h"
 #include "core/names.h"
+#include "scenes/altered/stress_axes.h"
 
 #include <iterator>
 

@@ -1,25 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The table of axes, by family. Not here: what a suite chooses of them (study/stress/suite_file.h).
+// The table of all axes, with those of techniques' parameters. Not here: those that alter a scene
+// (scenes/altered/stress_axes.h), and what a suite chooses of them (study/stress/suite_file.h).
 
-#include "study/stress/axis.h"
+#include "scenes/altered/stress_axis.h"
 
 #include <string>
 #include <vector>
 
 namespace umbrameter {
 
-/// Where the scene lies and how large it is.
-std::vector<StressAxis> placement_axes();
-std::vector<StressAxis> light_axes();
-std::vector<StressAxis> geometry_axes();
-/// Meshes that are not as they should be.
-std::vector<StressAxis> mesh_axes();
-std::vector<StressAxis> camera_axes();
 /// Parameters and formats of techniques on the nominal scene.
 std::vector<StressAxis> technique_axes();
 
-/// All of them, in this order.
+/// Placement, lights, geometry, meshes, cameras, techniques.
 std::vector<StressAxis> stress_axes();
 
 /// Error{input} with the nearest name for an unknown one.

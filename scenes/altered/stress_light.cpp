@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "study/stress/axes.h"
-#include "study/stress/stage_text.h"
+#include "scenes/altered/stage_text.h"
+#include "scenes/altered/stress_axes.h"
 
 #include <fmt/format.h>
 #include <glm/trigonometric.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "study/selftest/scene_change.h"
+#include "scenes/altered/scene_change.h"
 
 #include <glm/geometric.hpp>
 

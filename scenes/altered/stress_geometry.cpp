@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "study/stress/axes.h"
-#include "study/stress/obj_text.h"
-#include "study/stress/stage_text.h"
+#include "scenes/altered/obj_text.h"
+#include "scenes/altered/stage_text.h"
+#include "scenes/altered/stress_axes.h"
 
 #include <fmt/format.h>
 
