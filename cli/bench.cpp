@@ -3,10 +3,10 @@
 #include "cli/console.h"
 #include "cli/duration.h"
 #include "cli/progress_bar.h"
+#include "cli/reuse.h"
 #include "cli/scene_options.h"
 #include "cli/staging.h"
 #include "cli/study_runs.h"
-#include "cli/verb_cache.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "reference/reference.h"
@@ -163,7 +163,7 @@ int bench(const BenchOptions& options, const GlobalOptions& global) {
   for (const std::string& file : options.studies)
     studies.push_back(load(file, options, home, search, progress));
   require_one_table(options, studies);
-  VerbCache cache(global, global.out, !options.no_reuse);
+  VerbCache cache = open_cache(global, global.out, !options.no_reuse);
   const auto realtime = open_realtime_renderer(global, home);
   std::optional<BenchCache> kept;
   if (cache.store() != nullptr)

@@ -6,9 +6,8 @@
 #include "core/parameters.h"
 #include "core/progress.h"
 #include "engines/host/manifest.h"
-#include "lab/validation.h"
+#include "lab/scene_jobs.h"
 #include "realtime/manifest/technique.h"
-#include "scenes/load_scene.h"
 
 #include <filesystem>
 #include <memory>
@@ -29,17 +28,6 @@ Home find_home();
 
 /// The library and the assets folder; Error{input} when the assets folder does not exist.
 SceneSearch scene_search(const GlobalOptions& options, const Home& home);
-
-/// The library name, or the stem, of a scene file.
-std::string scene_name(const std::filesystem::path& file, const SceneSearch& search);
-
-/// A scene of the library by name, or a scene file, once for each of its lights or for `search.light` alone: under its
-/// scene_name(), with `search.at` its timed_name(), or "scene/light" when the file has several. Error{input} for a light that is
-/// not there.
-std::vector<SceneJob> load_scene_jobs(const std::string& name_or_path, const SceneSearch& search);
-
-/// The same where one light is wanted: Error{input} when the scene has several and none is chosen.
-SceneJob load_scene_job(const std::string& name_or_path, const SceneSearch& search);
 
 /// "ID[:name=value,...]" (ID may be a folder) plus further "name=value" texts. `preset=NAME` chooses a
 /// preset, `preset=FILE.toml` reads one (cli/preset_file.h). Error{input} for unknown techniques, parameters, presets, and values out of range.

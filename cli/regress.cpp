@@ -6,9 +6,9 @@
 #include "cli/home.h"
 #include "cli/progress_bar.h"
 #include "cli/regress_prove.h"
+#include "cli/reuse.h"
 #include "cli/staging.h"
 #include "cli/study_runs.h"
-#include "cli/verb_cache.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "core/version.h"
@@ -110,7 +110,7 @@ int record(const RegressOptions& options, const GlobalOptions& global) {
                "'regress check --update --reason TEXT' changes it, 'regress record --reason TEXT' makes all "
                "of it anew");
   const auto realtime = open_realtime_renderer(global, home);
-  VerbCache cache(global, global.out, !options.no_reuse);
+  VerbCache cache = open_cache(global, global.out, !options.no_reuse);
   const RegressResults measured =
       measure_suite(suite.scenes, suite.plan, renderers_of(*realtime, cache, suite.plan.picture), progress);
   print_reuse(cache);
@@ -210,7 +210,7 @@ int check_suite(const RegressOptions& options, const GlobalOptions& global) {
                "make one with 'umbrameter regress record'");
   const Baseline baseline = load_baseline(suite.baseline_file);
   const auto realtime = open_realtime_renderer(global, home);
-  VerbCache cache(global, global.out, !options.no_reuse);
+  VerbCache cache = open_cache(global, global.out, !options.no_reuse);
   const RegressRenderers renderers = renderers_of(*realtime, cache, suite.plan.picture);
   const RegressResults results = check_suite(suite.scenes, suite.plan, baseline, renderers, progress);
   if (!options.junit.empty()) write_file_atomically(options.junit, junit_xml(results));

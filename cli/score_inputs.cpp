@@ -4,7 +4,7 @@
 #include "cli/home.h"
 #include "cli/positive_number.h"
 #include "cli/progress_bar.h"
-#include "cli/verb_cache.h"
+#include "cli/reuse.h"
 #include "core/error.h"
 #include "core/image_io.h"
 #include "lab/score.h"
@@ -34,7 +34,7 @@ Image render_truth(const SceneJob& job, const ScoreInputOptions& options, const 
   wanted.width = picture.width;
   wanted.height = picture.height;
   const Quality quality = choose_quality(wanted);
-  VerbCache cache(global, global.out, !options.no_reuse);
+  VerbCache cache = open_cache(global, global.out, !options.no_reuse);
   ProgressBar progress;
   const RenderRequest request = request_of(quality.picture);
   Frame frame = cache.reference(quality.picture).render(job.scene, request, progress);

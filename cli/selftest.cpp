@@ -4,8 +4,8 @@
 #include "cli/console.h"
 #include "cli/home.h"
 #include "cli/progress_bar.h"
+#include "cli/reuse.h"
 #include "cli/staging.h"
-#include "cli/verb_cache.h"
 #include "core/files.h"
 #include "reference/reference.h"
 #include "report/selftest_output.h"
@@ -63,7 +63,7 @@ int selftest(const SelftestOptions& options, const GlobalOptions& global) {
   }
   const Staging staging(std::filesystem::temp_directory_path());
   const auto realtime = open_realtime_renderer(global, home);
-  VerbCache cache(global, global.out, !options.no_reuse);
+  VerbCache cache = open_cache(global, global.out, !options.no_reuse);
   PictureQuality truth;
   truth.samples_per_pixel = kSamplesPerPixel;
   Renderer& reference = cache.reference(truth);

@@ -3,10 +3,10 @@
 #include "cli/exact_program.h"
 #include "cli/home.h"
 #include "cli/progress_bar.h"
+#include "cli/reuse.h"
 #include "cli/run_renderer.h"
 #include "cli/staging.h"
 #include "cli/stress_worker.h"
-#include "cli/verb_cache.h"
 #include "cli/verbs.h"
 #include "core/error.h"
 #include "core/files.h"
@@ -126,7 +126,7 @@ int stress(const StressOptions& options, const GlobalOptions& global) {
   const std::filesystem::path folder =
       options.keep_pictures ? std::filesystem::absolute(global.out) : staging.folder();
   // Pictures are of cells that are walked.
-  VerbCache cache(global, global.out, !options.no_reuse && !options.keep_pictures);
+  VerbCache cache = open_cache(global, global.out, !options.no_reuse && !options.keep_pictures);
   const StressResults results = measure(options, plan, global, folder, cache);
   print_reuse(cache);
   if (!global.out.empty()) {

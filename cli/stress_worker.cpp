@@ -5,7 +5,7 @@
 #include "cli/exact_program.h"
 #include "cli/exact_truth.h"
 #include "cli/home.h"
-#include "cli/verb_cache.h"
+#include "cli/reuse.h"
 #include "core/clock.h"
 #include "core/error.h"
 #include "core/files.h"
@@ -163,7 +163,7 @@ void work_on_axis(const StressAxis& axis, const StressPlan& plan, const GlobalOp
   die_with_parent();
   const fs::path place = axis_folder(folder, axis);
   EditedRenderers renderers(global, place);
-  VerbCache cache(global, global.out, reuse);
+  VerbCache cache = open_cache(global, global.out, reuse);
   const auto oracle_program = find_exact_program();
   const TruthOracle no_oracle = [](const Scene&, std::span<const ReceiverPoint>) { return std::nullopt; };
   const StressTools tools = {

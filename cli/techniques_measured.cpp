@@ -4,9 +4,9 @@
 #include "cli/console.h"
 #include "cli/home.h"
 #include "cli/progress_bar.h"
+#include "cli/reuse.h"
 #include "cli/technique_doc.h"
 #include "cli/techniques_verbs.h"
-#include "cli/verb_cache.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "realtime/manifest/technique.h"
@@ -92,7 +92,7 @@ int show_traits(const TraitsOptions& options, const GlobalOptions& global) {
   std::vector<SceneJob> scenes;
   for (const std::string& name : trait_scene_names()) scenes.push_back(load_scene_job(name, search));
   const auto realtime = open_realtime_renderer(global, home);
-  VerbCache cache(global, global.out, !options.no_reuse);
+  VerbCache cache = open_cache(global, global.out, !options.no_reuse);
   ProgressBar progress;
   const TraitInputs inputs{.scenes = scenes,
                            .renderers = {cache.reference(options.picture), cache.frames(*realtime)},

@@ -4,9 +4,9 @@
 #include "cli/home.h"
 #include "cli/progress_bar.h"
 #include "cli/quality.h"
+#include "cli/reuse.h"
 #include "cli/scene_options.h"
 #include "cli/tune_text.h"
-#include "cli/verb_cache.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "lab/renamed_progress.h"
@@ -211,7 +211,7 @@ int tune(const TuneOptions& options, const GlobalOptions& global) {
   TunePlan plan = make_plan(options, home);
   std::vector<TuneGroup> groups = load_groups(options, plan, scene_search(global, home));
   const std::filesystem::path out = global.out.empty() ? "tuned" : global.out;
-  VerbCache cache(global, out, !options.no_reuse);
+  VerbCache cache = open_cache(global, out, !options.no_reuse);
   const auto realtime = open_realtime_renderer(global, home);
   const PictureQuality& picture = quality.picture;
   const PictureQuality coarse = coarse_picture(picture);

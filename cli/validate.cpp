@@ -2,24 +2,25 @@
 #include "cli/console.h"
 #include "cli/home.h"
 #include "cli/interruption.h"
-#include "cli/lazy_realtime.h"
 #include "cli/motion_option.h"
-#include "cli/page_cache.h"
 #include "cli/positive_number.h"
 #include "cli/preset_file.h"
 #include "cli/progress_bar.h"
 #include "cli/quality.h"
 #include "cli/reference_renderer.h"
-#include "cli/scene_cache.h"
+#include "cli/reuse.h"
+#include "cli/run_renderer.h"
 #include "cli/scene_options.h"
 #include "cli/staging.h"
 #include "cli/validation_text.h"
-#include "cli/verb_cache.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "core/names.h"
+#include "lab/lazy_realtime.h"
+#include "lab/scene_cache.h"
 #include "lab/stored_frames.h"
 #include "lab/validation_cache.h"
+#include "report/page_cache.h"
 #include "report/report.h"
 #include "results/json/results_json.h"
 #include "results/measured.h"
@@ -230,7 +231,9 @@ int validate(const ValidateOptions& options, const GlobalOptions& global) {
   check_results_folder(out);
   const Staging staging(out);
   LazyStore store(out);
-  LazyRealtime realtime(store, global, home, !options.no_skip);
+  LazyRealtime realtime(
+      store,
+      {global.device, [&] { return open_realtime_renderer(global, home, !options.no_skip); }, run_identity});
   LazyRenderer reference([&] { return open_reference_renderer(global, quality.picture, !options.no_skip); });
   const Makers makers{kReferenceMaker, realtime.identity(), hash_folder(home.shaders)};
   ValidationCache cache(store, makers, !options.no_reuse);

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// What a verb shares with others through the store in --out: truths (lab/stored_reference.h) and answers of its own
-// (lab/answers.h).
+// What a verb shares with others through a store: truths (lab/stored_reference.h), pictures of runs (lab/stored_frames.h) and
+// answers of its own (lab/answers.h).
 
-#include "cli/lazy_renderer.h"
-#include "cli/staging.h"
-#include "cli/verbs.h"
 #include "lab/answers.h"
+#include "lab/lazy_renderer.h"
 #include "lab/stored_frames.h"
 #include "lab/stored_reference.h"
 
+#include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -17,10 +17,26 @@
 
 namespace umbrameter {
 
+/// What the composition root knows of those who make what is kept.
+struct CacheTools {
+  std::function<std::unique_ptr<Renderer>(const PictureQuality&)> open_reference;
+  std::string reference_maker;  // Makers::reference
+  std::function<Makers(const Renderer& realtime)> makers;
+  HashOfTechnique hash_of_technique;
+};
+
+/// Where a cache lies. Without a folder nothing is remembered.
+struct CachePlace {
+  std::filesystem::path folder;
+  std::shared_ptr<const std::filesystem::path>
+      scratch;        // an existing folder for files in the making; null without a folder
+  bool reuse = true;  // else nothing is found, and everything is kept
+};
+
 class VerbCache {
  public:
-  /// With an empty `folder` nothing is remembered. Error{input} for one that cannot be written. `options` must outlive it.
-  VerbCache(const GlobalOptions& options, const std::filesystem::path& folder, bool reuse);
+  VerbCache(CacheTools tools, CachePlace place);
+  VerbCache(const VerbCache&) = delete;  // parts of it know each other
 
   /// A ray tracer of the picture's samples and target; lives as long as this.
   Renderer& reference(const PictureQuality& picture);
@@ -33,9 +49,9 @@ class VerbCache {
   /// The store; null without a folder.
   LazyStore* store() { return store_ ? &*store_ : nullptr; }
   /// For files in the making; there only with a store.
-  const std::filesystem::path& scratch() const { return scratch_->folder(); }
-  /// Who makes what is kept; `realtime` is one of open_realtime_renderer().
-  Makers makers(const Renderer& realtime) const;
+  const std::filesystem::path& scratch() const { return *place_.scratch; }
+  /// Who makes what is kept.
+  Makers makers(const Renderer& realtime) const { return tools_.makers(realtime); }
 
   /// By all of them, since it was last asked.
   ReusedTruths take_reused();
@@ -49,28 +65,12 @@ class VerbCache {
     std::optional<StoredReference> stored;
   };
 
-  const GlobalOptions& options_;
-  bool reuse_;
-  std::optional<Staging> scratch_;
+  CacheTools tools_;
+  CachePlace place_;
   std::optional<LazyStore> store_;
   Answers answers_;
   std::optional<StoredFrames> frames_;
   std::vector<std::unique_ptr<Reference>> references_;
 };
-
-/// "3 truths reused, about 1.2 s saved".
-std::string reused_line(const ReusedTruths& reused);
-
-/// HashOfTechnique of techniques and engines.
-std::string hash_of_technique(const std::string& id_or_path);
-
-/// "2 stored pictures of runs reused"; absent for none.
-std::optional<std::string> reused_frames_line(size_t count);
-
-/// Error{input} for --no-reuse without --out.
-void require_store(bool no_reuse, const GlobalOptions& options);
-
-/// Prints what was found damaged and how much was reused, where there is something to say.
-void print_reuse(VerbCache& cache);
 
 }  // namespace umbrameter

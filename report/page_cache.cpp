@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/page_cache.h"
+#include "report/page_cache.h"
 
 #include "core/files.h"
 #include "core/hash.h"

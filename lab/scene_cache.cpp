@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/scene_cache.h"
+#include "lab/scene_cache.h"
 
 #include "core/files.h"
 #include "core/hash.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/device_cache.h"
+#include "store/device_cache.h"
 
 #include "core/hash.h"
 #include "store/file_stamp.h"
@@ -55,9 +55,9 @@ std::string first_line(const fs::path& file) {
   return line;
 }
 
-std::string key_of(const GlobalOptions& options) {
+std::string key_of(const std::string& asked) {
   Hasher hasher;
-  hasher.text("device").text(options.device).text(first_line("/etc/machine-id"));
+  hasher.text("device").text(asked).text(first_line("/etc/machine-id"));
   for (const std::string& variable : driver_variables()) hasher.text(variable);
   for (const char* folder : kDeviceFolders) {
     hasher.text(folder);
@@ -82,8 +82,8 @@ std::set<std::string> loaded_libraries() {
 
 }  // namespace
 
-std::optional<std::string> find_device(LazyStore& store, const GlobalOptions& options) {
-  const auto text = store.find(key_of(options));
+std::optional<std::string> find_device(LazyStore& store, const std::string& asked) {
+  const auto text = store.find(key_of(asked));
   const Json json = text ? Json::parse(*text, nullptr, false) : Json();
   if (!json.is_object()) return std::nullopt;
   for (const auto& [file, stamp] : json.at("libraries").items()) {
@@ -92,11 +92,11 @@ std::optional<std::string> find_device(LazyStore& store, const GlobalOptions& op
   return json.at("identity").get<std::string>();
 }
 
-void keep_device(LazyStore& store, const GlobalOptions& options, const std::string& identity) {
+void keep_device(LazyStore& store, const std::string& asked, const std::string& identity) {
   Json libraries = Json::object();
   for (const std::string& file : loaded_libraries()) libraries[file] = file_stamp(file);
   const Json json{{"identity", identity}, {"libraries", libraries}};
-  store.store().put({key_of(options), EntryKind::device, json.dump()});
+  store.store().put({key_of(asked), EntryKind::device, json.dump()});
 }
 
 }  // namespace umbrameter

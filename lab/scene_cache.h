@@ -2,7 +2,7 @@
 #pragma once
 // Scenes that are not loaded as long as only their description is needed: it is remembered in a store.
 
-#include "cli/home.h"
+#include "lab/scene_jobs.h"
 #include "store/lazy_store.h"
 
 #include <span>

@@ -1,19 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The real-time renderer, whose device is known before it is opened (cli/device_cache.h).
+// The real-time renderer, whose device is known before it is opened (store/device_cache.h).
 
-#include "cli/home.h"
-#include "cli/lazy_renderer.h"
+#include "lab/lazy_renderer.h"
 #include "store/lazy_store.h"
 
+#include <functional>
+#include <memory>
 #include <string>
 
 namespace umbrameter {
 
+/// How the device that was asked for is opened, and what it says of itself then.
+struct DeviceOpener {
+  std::string asked;  // empty: any
+  std::function<std::unique_ptr<Renderer>()> open;
+  std::function<std::string(const Renderer&)> identity_of;
+};
+
 class LazyRealtime {
  public:
   /// Opens the device at once when its identity is not known.
-  LazyRealtime(LazyStore& store, const GlobalOptions& options, const Home& home, bool cull_casters);
+  LazyRealtime(LazyStore& store, DeviceOpener device);
 
   const std::string& identity() const { return identity_; }
   /// Error{environment} when it is opened and is another than was remembered.
@@ -25,9 +33,7 @@ class LazyRealtime {
   std::unique_ptr<Renderer> open();
 
   LazyStore& store_;
-  const GlobalOptions& options_;
-  const Home& home_;
-  bool cull_casters_;
+  DeviceOpener device_;
   std::string identity_;  // empty: not known
   bool is_new_ = false;
   LazyRenderer renderer_;
