@@ -6,7 +6,7 @@
 #include "results/json/json_parts.h"
 #include "results/json/schemas.h"
 #include "results/judgement_format.h"
-#include "study/study_camera.h"
+#include "scenes/altered/study_camera.h"
 
 #include <fmt/format.h>
 

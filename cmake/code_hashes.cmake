@@ -34,7 +34,7 @@ hash_code(scoring core metrics lab results/measured_rows)
 hash_code(regress metrics lab results/catalogue results/measured_rows results/regress study/regress)
 hash_code(selftest metrics lab results/catalogue results/measured_rows results/selftest scenes/altered/scene_change study/stage study/fault_case study/selftest)
 hash_code(traits study/traits)
-hash_code(stress metrics lab results/catalogue results/measured_rows results/stress scenes/altered study/stress)
+hash_code(stress metrics lab results/catalogue results/measured_rows results/stress scenes/altered/stress study/stress)
 hash_code(tune metrics lab results/catalogue results/measured_rows results/tune study/tune)
 set(text "#include \"store/code_hashes.h\"
 

@@ -5,7 +5,7 @@
 
 #include "core/toml.h"
 #include "results/bench/claim.h"
-#include "study/study_camera.h"
+#include "scenes/altered/study_camera.h"
 
 #include <cstdint>
 #include <filesystem>

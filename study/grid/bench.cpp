@@ -8,9 +8,9 @@
 #include "lab/score.h"
 #include "lab/technique_result.h"
 #include "metrics/image/shadow_quantity.h"
+#include "scenes/altered/study_camera.h"
 #include "scenes/instances.h"
 #include "study/grid/bench_cache.h"
-#include "study/study_camera.h"
 
 #include <fmt/format.h>
 

@@ -42,7 +42,7 @@ RecordHead make_head(const StudyScene& scene, PictureQuality picture, uint64_t s
 /// Of the run, without results.
 RunRecord make_record(const BenchRun& run, RecordHead head, const std::string& reference);
 
-/// As in study/study_camera.h.
+/// As in scenes/altered/study_camera.h.
 std::string full_name(const StudyScene& scene);
 
 using BenchSceneDone = std::function<void(const BenchScene&)>;

@@ -3,7 +3,7 @@
 
 #include "core/error.h"
 #include "core/names.h"
-#include "scenes/altered/stress_axes.h"
+#include "scenes/altered/stress/axes.h"
 
 #include <iterator>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The table of all axes, with those of techniques' parameters. Not here: those that alter a scene
-// (scenes/altered/stress_axes.h), and what a suite chooses of them (study/stress/suite_file.h).
+// (scenes/altered/stress/axes.h), and what a suite chooses of them (study/stress/suite_file.h).
 
-#include "scenes/altered/stress_axis.h"
+#include "scenes/altered/stress/axis.h"
 
 #include <string>
 #include <vector>

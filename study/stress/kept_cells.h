@@ -5,7 +5,7 @@
 #include "lab/answers.h"
 #include "lab/keys.h"
 #include "results/stress/outcome.h"
-#include "scenes/altered/stress_axis.h"
+#include "scenes/altered/stress/axis.h"
 
 #include <string>
 #include <vector>

@@ -5,7 +5,7 @@
 
 #include "results/picture_quality.h"
 #include "results/stress/journal.h"
-#include "scenes/altered/stress_axis.h"
+#include "scenes/altered/stress/axis.h"
 #include "study/stress/tools.h"
 
 #include <filesystem>

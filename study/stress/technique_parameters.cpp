@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "scenes/altered/stress/stage_text.h"
 #include "study/stress/axes.h"
-#include "scenes/altered/stage_text.h"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 
 #include "lab/truth_oracle.h"
 #include "lab/validation.h"
-#include "scenes/altered/stress_axis.h"
+#include "scenes/altered/stress/axis.h"
 
 #include <functional>
 #include <string>

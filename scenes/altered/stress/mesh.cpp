@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scenes/altered/obj_text.h"
-#include "scenes/altered/stage_text.h"
-#include "scenes/altered/stress_axes.h"
+#include "scenes/altered/stress/axes.h"
+#include "scenes/altered/stress/obj_text.h"
+#include "scenes/altered/stress/stage_text.h"
 
 #include <map>
 #include <utility>

@@ -2,7 +2,7 @@
 #pragma once
 // The axes that alter a scene, by family. Not here: those of techniques' parameters (study/stress/axes.h).
 
-#include "scenes/altered/stress_axis.h"
+#include "scenes/altered/stress/axis.h"
 
 #include <vector>
 

@@ -3,7 +3,7 @@
 // The scene that axes change one thing of: a box and a floating slab on a floor under a rectangle, as the text of a scene
 // file. Numbers here are before `scale` and `offset_world`.
 
-#include "scenes/altered/stress_axis.h"
+#include "scenes/altered/stress/axis.h"
 
 #include <glm/vec3.hpp>
 

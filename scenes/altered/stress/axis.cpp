@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scenes/altered/stress_axis.h"
+#include "scenes/altered/stress/axis.h"
 
 #include <fmt/format.h>
 

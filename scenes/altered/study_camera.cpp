@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "study/study_camera.h"
+#include "scenes/altered/study_camera.h"
 
 #include "scenes/orbit.h"
 #include "scenes/read_camera.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scenes/altered/stage_text.h"
+#include "scenes/altered/stress/stage_text.h"
 
 #include "core/toml_text.h"
 

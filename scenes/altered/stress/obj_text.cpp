@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scenes/altered/obj_text.h"
+#include "scenes/altered/stress/obj_text.h"
 
 #include <fmt/format.h>
 
