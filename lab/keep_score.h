@@ -24,7 +24,8 @@ struct KeptScore {
 };
 
 /// Scores a run's picture against the truth into its record, and keeps what it needs: the picture, its faults', and parity
-/// where that is not kept yet. `shared` is of this truth. Throws what score_image() does.
+/// where that is not kept yet. The record's duration becomes that of its frame, result.wall_time_s, and of the score.
+/// `shared` is of this truth. Throws what score_image() does.
 KeptScore keep_score(const Keeper& keeper, const Scene& scene, const Image& picture, const Image& truth,
                      MetricChoice metrics, SharedTruth& shared, RunRecord& record);
 

@@ -112,26 +112,22 @@ Image require_reference(const SceneContext& context, SceneResult& scene) {
     save_visibility(context, image, *scene.reference);  // a sweep has no pictures
     return image;
   }
-  Frame frame;
-  const RenderRequest request = request_of(context.plan.picture);
-  ReferenceResult result;
+  RenderedTruth truth;
   scene.failure = guarded([&] {
-    frame = context.renderers.reference.render(context.scene, request, context.progress);
-    result = describe_truth(frame);
+    truth = render_truth(context.renderers.reference, context.scene, request_of(context.plan.picture),
+                         context.progress);
   });
   if (scene.failure) return {};
-  result.measured_at = time_now();
-  add_metadata(frame, context.scene, request);
-  take_truth(context, frame.image, std::move(result), scene);
-  return std::move(frame.image);
+  truth.result.measured_at = time_now();
+  take_truth(context, truth.frame.image, std::move(truth.result), scene);
+  return std::move(truth.frame.image);
 }
 
 void compare_renderers(const SceneContext& context, const Image& surfaces, const Image& reference,
                        SceneResult& scene) {
   const glm::dvec3& eye_world = context.scene.camera.eye_world;
-  const ParityTolerance tolerance;
   Parity parity;
-  scene.failure = guarded([&] { parity = compare_surfaces(surfaces, reference, eye_world, tolerance); });
+  scene.failure = guarded([&] { parity = compare_surfaces(surfaces, reference, eye_world); });
   if (!scene.failure) take_parity(context, parity, scene);
 }
 

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "lab/stored_reference.h"
 
-#include "core/clock.h"
 #include "lab/stored_truth.h"
-#include "results/metadata.h"
 #include "scenes/scene_hash.h"
 
 namespace umbrameter {
@@ -25,13 +23,10 @@ Frame StoredReference::render(const Scene& scene, const RenderRequest& request, 
 
 Frame StoredReference::make(const Scene& scene, const RenderRequest& request, const std::string& key,
                             RecordHead head, Progress& progress) {
-  const Clock::time_point start = Clock::now();
-  Frame frame = tracer_.render(scene, request, progress);
-  head.duration_s = seconds_since(start);
-  add_metadata(frame, scene, request);
-  frame.image.metadata["scene_hash"] = head.scene_hash;
-  keep_truth(store_.store(), key, {std::move(head), describe_truth(frame)}, frame.image, scratch_);
-  return frame;
+  RenderedTruth truth = render_truth(tracer_, scene, request, progress);
+  truth.frame.image.metadata["scene_hash"] = head.scene_hash;
+  keep_truth(store_.store(), key, std::move(head), truth, scratch_);
+  return std::move(truth.frame);
 }
 
 ReusedTruths StoredReference::take_reused() {

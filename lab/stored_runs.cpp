@@ -52,6 +52,10 @@ std::vector<RunRecord> newest(std::vector<RunRecord> runs) {
 
 }  // namespace
 
+void keep_record(Store& store, const std::string& key, const RunRecord& record) {
+  store.put({key, EntryKind::run, to_json_text(record)});
+}
+
 std::optional<RunRecord> find_record(Store& store, const std::string& key) {
   const auto json = store.find(key);
   return json ? parse_run_record(*json) : std::nullopt;

@@ -11,6 +11,9 @@
 
 namespace umbrameter {
 
+/// Puts a run into the store.
+void keep_record(Store& store, const std::string& key, const RunRecord& record);
+
 /// The run under a key. Absent where there is none that this version reads.
 std::optional<RunRecord> find_record(Store& store, const std::string& key);
 

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "lab/stored_truth.h"
 
+#include "core/clock.h"
 #include "core/image_io.h"
 #include "metrics/error/lit_error.h"
 #include "metrics/image/parity.h"
+#include "results/json/json_parts.h"
+#include "results/metadata.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace umbrameter {
 namespace {
@@ -57,6 +61,16 @@ ReferenceResult describe_truth(const Frame& frame) {
   return result;
 }
 
+RenderedTruth render_truth(Renderer& reference, const Scene& scene, const RenderRequest& request,
+                           Progress& progress) {
+  const Clock::time_point start = Clock::now();
+  RenderedTruth truth{reference.render(scene, request, progress), {}, 0.0};
+  truth.duration_s = seconds_since(start);
+  truth.result = describe_truth(truth.frame);
+  add_metadata(truth.frame, scene, request);
+  return truth;
+}
+
 std::optional<Frame> find_truth(Store& store, const std::string& key) {
   const auto json = store.find(key);
   const auto record = json ? parse_reference_record(*json) : std::nullopt;
@@ -69,10 +83,16 @@ std::optional<Frame> find_truth(Store& store, const std::string& key) {
   return frame;
 }
 
-void keep_truth(Store& store, const std::string& key, ReferenceRecord record, const Image& image,
+void keep_truth(Store& store, const std::string& key, RecordHead head, const RenderedTruth& truth,
                 const std::filesystem::path& scratch) {
-  record.result.image_file = keep_image(store, image, scratch);
+  ReferenceRecord record{std::move(head), truth.result};
+  record.head.duration_s = truth.duration_s;
+  record.result.image_file = keep_image(store, truth.frame.image, scratch);
   store.put({key, EntryKind::reference, to_json_text(record)});
+}
+
+void keep_parity(Store& store, const std::string& key, const ParityNumbers& parity) {
+  store.put({key, EntryKind::parity, parity_json(parity).dump()});
 }
 
 std::string keep_image(Store& store, const Image& image, const std::filesystem::path& scratch) {

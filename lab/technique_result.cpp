@@ -3,6 +3,8 @@
 
 #include "metrics/image/shadow_quantity.h"
 
+#include <utility>
+
 namespace umbrameter {
 
 TechniqueResult describe(const TechniqueRun& run) {
@@ -13,6 +15,14 @@ TechniqueResult describe(const TechniqueRun& run) {
   result.hash = run.hash;
   result.parameters = run.parameters;
   return result;
+}
+
+RunRecord make_record(const TechniqueRun& run, RecordHead head, const std::string& reference) {
+  RunRecord record;
+  record.head = std::move(head);
+  record.reference = reference;
+  record.result = describe(run);
+  return record;
 }
 
 void take_frame(const Frame& frame, TechniqueResult& result) {

@@ -4,6 +4,7 @@
 #include "core/hash.h"
 #include "core/version.h"
 #include "lab/stored_frames.h"
+#include "lab/stored_runs.h"
 #include "lab/stored_truth.h"
 #include "lab/validated.h"
 #include "results/json/causes_json.h"
@@ -159,8 +160,7 @@ void ValidationCache::keep_parity(const SceneSource& source, const ValidationPla
                                   const fs::path& folder, const SceneResult& scene) {
   const std::string key = parity_key(reference_of(source, plan), makers_);
   if (!scene.parity || !kept_.insert(key).second) return;
-  const ParityNumbers parity = kept(store_.store(), folder, *scene.parity);
-  store_.store().put({key, EntryKind::parity, parity_json(parity).dump()});
+  umbrameter::keep_parity(store_.store(), key, kept(store_.store(), folder, *scene.parity));
 }
 
 void ValidationCache::keep_surfaces(const SceneSource& source, const ValidationPlan& plan,
@@ -185,7 +185,7 @@ void ValidationCache::keep_run(const SceneSource& source, const ValidationPlan& 
   record.parity->picture_file.clear();  // stands in its own entry
   record.result.judgement.verdict.reset();
   record.result.fault_causes.reset();  // the same
-  store_.store().put({run.key, EntryKind::run, to_json_text(record)});
+  keep_record(store_.store(), run.key, record);
   note_validated(store_.store(), key_of(reference, run, plan, makers_), run.key);
   if (!plan.motion.empty() || run.result.failure || run.lacks_pictures) return;
   const RenderRequest request = request_of(plan.picture, run.technique, plan.picture.seed);

@@ -89,13 +89,12 @@ void take_times(TimedRun& run, BenchEntry& entry) {
 void ask_truth(const BenchContext& context, const Image& surfaces, AskedTruth& truth, BenchScene& scene) {
   truth.is_asked = true;
   const glm::dvec3& eye_world = context.job.scene.camera.eye_world;
-  const ParityTolerance tolerance;
   scene.failure = guarded([&] {
     Frame frame = context.renderers.reference.render(context.job.scene, request_of(context.plan.picture),
                                                      context.progress);
-    const Parity parity = compare_surfaces(surfaces, frame.image, eye_world, tolerance);
+    const Parity parity = compare_surfaces(surfaces, frame.image, eye_world);
     scene.reference_device = frame.device;
-    scene.parity = parity_numbers(parity, tolerance.required_agreement);
+    scene.parity = parity_numbers(parity);
     scene.scorable_pixels = static_cast<size_t>(std::ranges::count(scorable_mask(frame.image), 1));
     if (!parity.passes) return;
     truth.mask = scored_mask(parity, frame.image);
@@ -183,14 +182,6 @@ RecordHead make_head(const StudyScene& scene, PictureQuality picture, uint64_t s
   RecordHead head = make_head(scene.name, scene.scene, picture);
   head.camera = scene.camera;
   return head;
-}
-
-RunRecord make_record(const BenchRun& run, RecordHead head, const std::string& reference) {
-  RunRecord record;
-  record.head = std::move(head);
-  record.reference = reference;
-  record.result = describe(run.technique);
-  return record;
 }
 
 BenchResults run_bench(std::span<const StudyScene> scenes, const BenchPlan& plan, Renderers renderers,

@@ -39,8 +39,6 @@ struct StudyScene {
 
 /// Of the scene from this camera, started now.
 RecordHead make_head(const StudyScene& scene, PictureQuality picture, uint64_t seed);
-/// Of the run, without results.
-RunRecord make_record(const BenchRun& run, RecordHead head, const std::string& reference);
 
 /// As in scenes/altered/study_camera.h.
 std::string full_name(const StudyScene& scene);

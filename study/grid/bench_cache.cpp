@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/grid/bench_cache.h"
 
-#include "core/clock.h"
 #include "core/hash.h"
 #include "lab/keep_score.h"
+#include "lab/stored_runs.h"
 #include "lab/technique_result.h"
 #include "lab/validated.h"
 #include "results/json/json_parts.h"
@@ -78,7 +78,7 @@ std::vector<KeptRun> find_runs(BenchCache& cache, const StudyScene& job, const B
       kept.record = *std::move(record);
       kept.is_known = true;
     } else {
-      kept.record = make_record(*run, make_head(job, plan.picture, run->seed), reference);
+      kept.record = make_record(run->technique, make_head(job, plan.picture, run->seed), reference);
       if (!is_first) kept.record.baseline = baseline->second;
     }
     found.push_back(std::move(kept));
@@ -97,13 +97,11 @@ bool find_scene(BenchCache& cache, const BenchPlan& plan, std::span<const KeptRu
 
 void keep_scored(BenchCache& cache, const Scene& scene, const Frame& frame, const Image& truth,
                  SharedTruth& shared, KeptRun& run) {
-  const Clock::time_point start = Clock::now();
   RunRecord& record = run.record;
   take_frame(frame, record.result);
   Store& store = cache.store.store();
   keep_score({store, cache.scratch, cache.makers}, scene, frame.image, truth, {}, shared, record);
-  record.head.duration_s = record.result.wall_time_s + seconds_since(start);
-  store.put({run.key, EntryKind::run, to_json_text(record)});
+  keep_record(store, run.key, record);
 }
 
 void keep_scene(BenchCache& cache, const BenchPlan& plan, std::span<KeptRun> runs, const BenchScene& scene) {
@@ -115,7 +113,7 @@ void keep_scene(BenchCache& cache, const BenchPlan& plan, std::span<KeptRun> run
     if (run.is_known) continue;
     run.record.result.failure = scene.entries[i].failure;
     if (!run.record.parity) run.record.parity = scene.parity;
-    cache.store.store().put({run.key, EntryKind::run, to_json_text(run.record)});
+    keep_record(cache.store.store(), run.key, run.record);
   }
   cache.answers.keep(times_key(plan, runs), {{"reference_device", scene.reference_device},
                                              {"parity", parity_json(scene.parity)},

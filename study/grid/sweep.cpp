@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/grid/sweep.h"
 
-#include "core/clock.h"
 #include "core/guard.h"
 #include "core/share_progress.h"
 #include "lab/keep_score.h"
 #include "lab/score.h"
+#include "lab/stored_runs.h"
 #include "lab/stored_truth.h"
 #include "lab/technique_result.h"
 #include "lab/validated.h"
 #include "lab/verdicts.h"
 #include "results/measured.h"
-#include "results/metadata.h"
 
 #include <fmt/format.h>
 
@@ -56,23 +55,18 @@ void report(SweepContext& context, const std::string& what, const Failure& failu
   if (context.failed) context.failed(named);
 }
 
-void render_truth(SweepContext& context, size_t scene, const std::string& key) {
+void make_truth(SweepContext& context, size_t scene, const std::string& key) {
   const StudyScene& job = context.scenes[scene];
   const PictureQuality& picture = context.plan.picture;
-  const RenderRequest request = request_of(picture);
-  const Clock::time_point start = Clock::now();
-  ReferenceRecord record{make_head(job, picture, picture.seed), {}};
-  Frame frame;
+  RecordHead head = make_head(job, picture, picture.seed);
+  RenderedTruth truth;
   const auto failure = guarded([&] {
-    frame = context.renderers.reference.render(job.scene, request, context.progress);
-    record.result = describe_truth(frame);
+    truth = render_truth(context.renderers.reference, job.scene, request_of(picture), context.progress);
   });
   if (failure) return report(context, full_name(job), *failure);
-  record.head.duration_s = seconds_since(start);
-  add_metadata(frame, job.scene, request);
-  keep_truth(context.store, key, std::move(record), frame.image, context.scratch);
+  keep_truth(context.store, key, std::move(head), truth, context.scratch);
   ++context.outcome.references_rendered;
-  context.truth.image = std::move(frame.image);
+  context.truth.image = std::move(truth.frame.image);
 }
 
 /// From the store if it may and can, else rendered.
@@ -80,7 +74,7 @@ void require_truth(SweepContext& context, size_t scene, const std::string& key) 
   if (context.truth.scene == scene) return;
   context.truth = {scene, std::nullopt, {}};
   auto known = context.plan.reuse ? find_truth(context.store, key) : std::nullopt;
-  if (!known) return render_truth(context, scene, key);
+  if (!known) return make_truth(context, scene, key);
   context.truth.image = std::move(known->image);
 }
 
@@ -147,7 +141,7 @@ bool take_validated(SweepContext& context, const PlanStep& step, const std::stri
   record.head.camera = job.camera;
   record.baseline = baseline_key(context, step, reference);
   record.result.image_file = keep_image(context.store, picture.image, context.scratch);
-  context.store.put({step.key, EntryKind::run, to_json_text(record)});
+  keep_record(context.store, step.key, record);
   check_measured(context, step, record.result.error,
                  static_cast<size_t>(std::ranges::count(scorable_mask(*context.truth.image), 1)));
   if (!record.baseline.empty()) judge(context, record, picture);
@@ -158,13 +152,13 @@ void render_run(SweepContext& context, const PlanStep& step, const std::string& 
   const StudyScene& job = context.scenes[step.scene];
   const SweepPlan& plan = context.plan;
   const BenchRun& run = plan.runs[*step.run];
-  RunRecord record = make_record(run, make_head(job, plan.picture, run.seed), reference);
+  RunRecord record = make_record(run.technique, make_head(job, plan.picture, run.seed), reference);
   const size_t baseline = baseline_of(plan, job.scene, *step.run);
   record.baseline = baseline_key(context, step, reference);
   TechniqueResult& result = record.result;
   const Frame frame = render_frames(context, step, baseline, record);
+  record.head.duration_s = result.wall_time_s;
   StoredPicture picture;
-  const Clock::time_point start = Clock::now();
   if (!result.failure) {
     result.failure = guarded([&] {
       KeptScore kept = keep_score({context.store, context.scratch, plan.makers}, job.scene, frame.image,
@@ -173,8 +167,7 @@ void render_run(SweepContext& context, const PlanStep& step, const std::string& 
       picture = std::move(kept.picture);
     });
   }
-  record.head.duration_s = result.wall_time_s + seconds_since(start);
-  context.store.put({step.key, EntryKind::run, to_json_text(record)});
+  keep_record(context.store, step.key, record);
   ++context.outcome.rendered;
   if (result.failure)
     return report(context, fmt::format("{}, {}", full_name(job), result.label), *result.failure);
