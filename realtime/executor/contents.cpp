@@ -106,6 +106,10 @@ class Contents {
     hasher.text(picture_key_);
     hash_state(hasher, *pass.declaration, pass.place);
     hasher.number(step.polygon_offset[0]).number(step.polygon_offset[1]).number(step.vertices);
+    if (step.viewport) {
+      const Viewport& part = *step.viewport;
+      hasher.number(part.x).number(part.y).number(part.width).number(part.height);
+    }
     for (const GLuint groups : step.groups) hasher.number(groups);
     for (const auto& program : {pass.program, pass.cutout_program}) {
       if (program == nullptr) continue;

@@ -46,6 +46,13 @@ void clear_targets(const PreparedPass& pass, const std::vector<double>& values) 
   if (pass.has_depth) glClearNamedFramebufferfv(pass.framebuffer.id(), GL_DEPTH, 0, &depth);
 }
 
+/// Scissors hold clears and everything drawn to the part; the viewport alone does so to neither.
+void set_viewport(const Viewport& part) {
+  glViewport(part.x, part.y, part.width, part.height);
+  glScissor(part.x, part.y, part.width, part.height);
+  glEnable(GL_SCISSOR_TEST);
+}
+
 void clear_stencil(const PreparedPass& pass, GLint value) {
   glStencilMask(0xff);
   glClearNamedFramebufferiv(pass.framebuffer.id(), GL_STENCIL, 0, &value);
@@ -107,6 +114,7 @@ void draw_pass(const Plan& plan, const Step& step, const SceneBuffers& scene_buf
   const PassDeclaration& declaration = *pass.declaration;
   set_default_state();
   pass.framebuffer.bind();
+  if (step.viewport) set_viewport(*step.viewport);
   if (declaration.state.clear) clear_targets(pass, *declaration.state.clear);
   if (declaration.state.clear_stencil) clear_stencil(pass, *declaration.state.clear_stencil);
   set_pass_state(declaration, step);
@@ -125,6 +133,7 @@ void draw_pass(const Plan& plan, const Step& step, const SceneBuffers& scene_buf
   } else {
     draw_fullscreen_tested(empty_vertex_array);
   }
+  glDisable(GL_SCISSOR_TEST);  // which would hold blits, too
   for (const Resolve& targets : pass.resolves) resolve(targets);
 }
 

@@ -117,6 +117,7 @@ class Planner {
       for (size_t k = 0; k < 2; ++k)
         step.polygon_offset[k] = static_cast<float>((*offset)[k].evaluate(variables_));
     }
+    step.viewport = viewport_of(pass, plan_.passes[step.pass].place.level);
     step.vertices = vertices_of(pass);
     if (pass.kind == PassKind::compute) step.groups = group_counts(pass, variables_);
     add_loop_block(step);
@@ -142,6 +143,30 @@ class Planner {
       values.push_back(static_cast<int32_t>(loop.count));
     }
     step.uniforms.push_back(store_.add(kLoopBinding, values.data(), values.size() * sizeof(int32_t)));
+  }
+
+  /// Error{input} where it is empty or reaches outside the level that the pass writes.
+  std::optional<Viewport> viewport_of(const PassDeclaration& pass, int level) const {
+    if (!pass.state.viewport) return std::nullopt;
+    const auto& [x, y, width, height] = *pass.state.viewport;
+    const Texture& target = written_target(pass, pass.writes.front(), *plan_.targets).drawn();
+    const auto [left, across] = part_of(pass, x, width, "width", level_side(target.width(), level));
+    const auto [bottom, up] = part_of(pass, y, height, "height", level_side(target.height(), level));
+    return Viewport{left, bottom, across, up};
+  }
+
+  /// Where a viewport begins along one axis, and how far it goes.
+  std::pair<int, int> part_of(const PassDeclaration& pass, const Expression& from, const Expression& extent,
+                              std::string_view side, int target_texels) const {
+    const std::string what = fmt::format("viewport of pass '{}'", pass.id);
+    constexpr int64_t kMost = std::numeric_limits<int>::max();
+    const int64_t begin = whole_number(from, variables_, 0, kMost, what);
+    const int64_t texels = whole_number(extent, variables_, 1, kMost, what);
+    if (begin + texels > target_texels)
+      fail_input(fmt::format("{} covers texels {} to {} of '{}', whose {} is {}", what, begin, begin + texels,
+                             pass.writes.front(), side, target_texels),
+                 from.where(), "viewport = [x, y, width, height] lies inside what the pass writes");
+    return {static_cast<int>(begin), static_cast<int>(texels)};
   }
 
   int vertices_of(const PassDeclaration& pass) const {

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,12 +21,18 @@ struct UniformRange {
   GLsizeiptr bytes = 0;
 };
 
+/// A part of the targets, in texels of the level written; row 0 is the bottom one.
+struct Viewport {
+  int x = 0, y = 0, width = 0, height = 0;
+};
+
 struct Step {
   size_t pass = 0;    // in Plan::passes
   bool once = false;  // in the first frame only, untimed
   std::vector<UniformRange> uniforms;
   bool mirrors = false;
   std::array<float, 2> polygon_offset{};       // factor, units
+  std::optional<Viewport> viewport;            // of a pass that draws into a part of its targets
   std::array<GLuint, 3> groups{};              // of a compute pass
   GLbitfield barriers = 0;                     // before it
   int vertices = 0;                            // that each triangle is drawn with and pulls; 0: its own three

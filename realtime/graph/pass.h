@@ -69,7 +69,8 @@ struct PassState {
   std::optional<std::array<Expression, 2>> polygon_offset;  // glPolygonOffset's factor and units
   std::optional<StencilState> stencil;
   std::optional<int> clear_stencil;
-  std::optional<std::vector<double>> clear;  // clear every written target first
+  std::optional<std::vector<double>> clear;           // clear every written target first
+  std::optional<std::array<Expression, 4>> viewport;  // x, y, width, height in texels: clears and draws there
   bool depth_clamp = true;
   int clip_distances = 0;  // gl_ClipDistance[0 .. n-1] that the vertex shader writes
 };

@@ -270,6 +270,9 @@ class PassChecker {
 
   /// Blending, and drawing that leaves texels out, need something in the target.
   void check_contents(const PassDeclaration& pass, const std::string& name) const {
+    if (pass.state.viewport && name == kVisibility && !written_.contains(name))
+      fail(pass, "draws into a part of 'visibility' before the whole is written",
+           "let an earlier pass write every pixel");
     if (pass.state.clear || written_.contains(name)) return;
     if (pass.state.blend != BlendMode::none)
       fail(pass, fmt::format("blends into '{}' before anything is in it", name), "add 'clear'");
@@ -345,7 +348,7 @@ class PassChecker {
 }  // namespace
 
 bool leaves_texels_out(const PassDeclaration& pass) {
-  return pass.kind == PassKind::scene || pass.state.stencil || pass.state.depth_test ||
+  return pass.kind == PassKind::scene || pass.state.stencil || pass.state.depth_test || pass.state.viewport ||
          (pass.kind == PassKind::compute && !pass.overwrites);
 }
 

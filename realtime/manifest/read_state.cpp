@@ -78,6 +78,14 @@ std::array<bool, 4> read_channels(TomlReader& reader, const std::string& key) {
   return writes;
 }
 
+/// Left, bottom, width and height.
+std::array<Expression, 4> read_viewport(Manifest& manifest, TomlReader& reader, const Names& scope) {
+  const std::vector<Expression> sides = read_expressions(manifest, reader, "viewport", scope);
+  if (sides.size() != 4)
+    reader.fail("viewport", fmt::format("'viewport' has {} entries", sides.size()), "[x, y, width, height]");
+  return {sides.at(0), sides.at(1), sides.at(2), sides.at(3)};
+}
+
 /// Tests, masks and factors beyond culling and blending.
 void read_tests(Manifest& manifest, TomlReader& reader, PassState& state, bool is_scene, const Names& scope) {
   state.blend_factors = read_enums(reader, "blend_factors", kBlendFactors, state.blend_factors);
@@ -100,6 +108,7 @@ PassState read_state(Manifest& manifest, TomlReader& reader, bool is_scene, cons
   state.cull = read_enum<CullMode>(reader, "cull", kCulls);
   state.blend = read_enum<BlendMode>(reader, "blend", kBlends);
   if (reader.has("clear")) state.clear = read_numbers(reader, "clear");
+  if (reader.has("viewport")) state.viewport = read_viewport(manifest, reader, scope);
   state.depth_clamp = reader.boolean("depth_clamp", true);
   constexpr int64_t kMaxClipDistances = 8;  // the least a GL offers
   const int64_t clip_distances = reader.integer("clip_distances", 0);
