@@ -30,8 +30,8 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 const std::array<const char*, 3> kCubes = {"hard_cube", "pcf_cube", "pcss_cube"};
-const std::array<const char*, 5> kCascades = {"hard_cascades", "pcf_cascades", "pcss_cascades",
-                                              "evsm_cascades", "smrt_cascades"};
+const std::array<const char*, 6> kCascades = {"hard_cascades", "pcf_cascades",  "pcf_atlas",
+                                              "pcss_cascades", "evsm_cascades", "smrt_cascades"};
 
 /// The inside of a box of 4 m with a lamp off its middle; the camera in a corner sees floor, ceiling and four walls.
 Scene room(bool has_shelf) {
@@ -263,6 +263,33 @@ Scene rows_of_plates() {
   scene.camera.vertical_fov_deg = 50.0;
   finish_scene(scene);
   return scene;
+}
+
+/// The greatest difference of a pixel between maps in an atlas and in an array. Disks reach over the edges of the maps, which
+/// fit their slice without a margin.
+double atlas_apart(const Scene& scene, int64_t count) {
+  const ParameterValues values = cascades(
+      count,
+      {{"cascade_fit", std::string("frustum")}, {"cascade_size", int64_t{64}}, {"radius_texels", 24.0}});
+  const auto array = visibility(scene, "pcf_cascades", values);
+  const auto atlas = visibility(scene, "pcf_atlas", values);
+  EXPECT_GT(std::ranges::count_if(atlas, [](float v) { return v < 1.0f; }), 1000)
+      << "blocked taps, " << count;
+  double most = 0.0;
+  for (size_t i = 0; i < array.size(); ++i)
+    most = std::max(most, static_cast<double>(std::abs(array[i] - atlas[i])));
+  return most;
+}
+
+TEST(pcf_atlas, shows_what_layers_of_an_array_show) {
+  UMBRAMETER_REQUIRE_GL();
+  const double step = 1.0 / 256.0;  // of a sampler's weights
+  const Scene plates = rows_of_plates();
+  const Scene half_plane = half_plane_scene(light_at_4(LightType::sun, 0.5));
+  for (const int64_t count : {1, 2, 3, 4, 5, 8}) {
+    EXPECT_LE(atlas_apart(plates, count), step) << count;
+    EXPECT_LE(atlas_apart(half_plane, count), step) << count << ": casters over the edges of maps";
+  }
 }
 
 struct Range {
