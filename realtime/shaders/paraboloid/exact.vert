@@ -10,10 +10,14 @@ flat out vec3 b_light;
 flat out vec3 c_light;
 flat out uint holes;
 
-/// Lowest and highest coordinates. The cone around the three directions becomes a circle: its rim lies at tan(angle / 2) on the line
-/// through its axis. Cones that hold the direction away from the map, or more than half of all, take the whole square.
+/// Lowest and highest coordinates, the first above the second beside the map. The cone around the three directions becomes a circle:
+/// its rim lies at tan(angle / 2) on the line through its axis. Cones that no place of the map lies in are beside it, like all that is
+/// right behind the light; others that hold the direction away from the map, or more than half of all, take the whole square.
 vec4 covered(vec3 a, vec3 b, vec3 c) {
   const vec4 kWhole = vec4(-1.0, -1.0, 1.0, 1.0);
+  const vec4 kBeside = vec4(1.0, 1.0, -1.0, -1.0);
+  const float kMargin_texels = 2.0;  // const: rounding of the angles, and a texel's half
+  float margin = kMargin_texels * texel_lateral(VIEW);
   vec3 sum = a + b + c;
   if (dot(sum, sum) < 1e-6) return kWhole;
   vec3 axis = normalize(sum);
@@ -21,6 +25,8 @@ vec4 covered(vec3 a, vec3 b, vec3 c) {
   if (cos_cone <= 0.0) return kWhole;
   float cone_rad = acos(min(cos_cone, 1.0));
   float axis_rad = acos(clamp(axis.z, -1.0, 1.0));
+  float corner_rad = 2.0 * atan(sqrt(2.0) * (1.0 + margin));
+  if (axis_rad - cone_rad > corner_rad) return kBeside;
   const float kHalfTurn = 3.1415926;  // const: pi, less its rounding
   if (axis_rad + cone_rad >= kHalfTurn) return kWhole;
   float near_rim = tan(0.5 * (axis_rad - cone_rad));
@@ -28,8 +34,7 @@ vec4 covered(vec3 a, vec3 b, vec3 c) {
   vec2 outwards = dot(axis.xy, axis.xy) > 0.0 ? normalize(axis.xy) : vec2(1.0, 0.0);
   vec2 center = 0.5 * (near_rim + far_rim) * outwards;
   float radius = 0.5 * (far_rim - near_rim);
-  const float kMargin_texels = 2.0;  // const: rounding of the angles, and a texel's half
-  float reach = 1.001 * radius + kMargin_texels * texel_lateral(VIEW);
+  float reach = 1.001 * radius + margin;
   return vec4(max(center - reach, -1.0), min(center + reach, 1.0));
 }
 
