@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "scenes/altered/scene_change.h"
 #include "study/selftest/fault_list.h"
 #include "study/selftest/injection.h"
-#include "scenes/altered/scene_change.h"
 
 #include <utility>
 

@@ -3,10 +3,10 @@
 // Ways to make a trial of a fault: other parameters, a patched technique, a changed scene, paint. Not here: which faults
 // there are (study/selftest/fault_list.cpp, fault_list_contacts.cpp).
 
+#include "scenes/altered/scene_change.h"
 #include "study/selftest/fault_list.h"
 #include "study/selftest/injection.h"
 #include "study/selftest/mutant.h"
-#include "scenes/altered/scene_change.h"
 
 #include <functional>
 #include <string>
