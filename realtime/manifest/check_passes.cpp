@@ -6,6 +6,9 @@
 #include "realtime/manifest/names.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
 #include <map>
 
 namespace umbrameter {
@@ -38,7 +41,7 @@ class PassChecker {
       known_writes_.push_back(resource.name);
     }
     for (const BufferDeclaration& buffer : technique.buffers) {
-      buffers_.insert(buffer.name);
+      buffers_[buffer.name] = buffer.element;
       known_writes_.push_back(buffer.name);
     }
     formats_[std::string(kVisibility)] = &find_texture_format("r32f");
@@ -225,6 +228,39 @@ class PassChecker {
       fail(pass, fmt::format("cannot average '{}'", name), "colour formats only");
   }
 
+  /// Numbers that no component takes, or that none holds, would be cut off without a word.
+  void check_clear(const PassDeclaration& pass) const {
+    if (!pass.state.clear) return;
+    size_t most_components = 1;
+    for (const std::string& name : pass.writes) {
+      const auto buffer = buffers_.find(name);
+      const bool is_buffer = buffer != buffers_.end();
+      const int components = is_buffer ? buffer->second->components : formats_.at(name)->components;
+      most_components = std::max(most_components, static_cast<size_t>(components));
+      if (is_buffer)
+        check_clear_values(pass, name, buffer->second->scalar);
+      else if (formats_.at(name)->is_integer)
+        check_clear_values(pass, name, ElementScalar::unsigned_integer);
+    }
+    const size_t count = pass.state.clear->size();
+    if (pass.kind == PassKind::compute && count > most_components)
+      fail(pass, fmt::format("clears with {} numbers what has {}", count, most_components),
+           "at most one per component; the last is repeated");
+  }
+
+  static void check_clear_values(const PassDeclaration& pass, const std::string& name, ElementScalar scalar) {
+    if (scalar == ElementScalar::real) return;
+    const bool is_signed = scalar == ElementScalar::integer;
+    const double lowest = is_signed ? std::numeric_limits<int32_t>::min() : 0.0;
+    const double highest =
+        is_signed ? std::numeric_limits<int32_t>::max() : std::numeric_limits<uint32_t>::max();
+    for (const double value : *pass.state.clear) {
+      if (value == std::floor(value) && value >= lowest && value <= highest) continue;
+      fail(pass, fmt::format("clears '{}' to {}, which its integers cannot hold", name, value),
+           fmt::format("whole numbers from {:.0f} to {:.0f}", lowest, highest));
+    }
+  }
+
   void check_writes(const PassDeclaration& pass) {
     constexpr int kMaxColors = 8;
     if (pass.writes.empty()) fail(pass, "writes nothing", "writes = [\"visibility\"] or resources");
@@ -248,6 +284,7 @@ class PassChecker {
       (formats_.at(name)->is_depth ? depths : colors) += 1;
       check_contents(pass, name);
     }
+    check_clear(pass);
     if (draws(pass)) check_layer(pass);
     if (draws(pass)) check_state(pass);
     if (depths > 1) fail(pass, "writes more than one depth resource");
@@ -340,7 +377,7 @@ class PassChecker {
   std::vector<std::string> known_reads_;
   std::vector<std::string> known_writes_;
   NameSet ids_, written_, written_once_, read_, used_views_;
-  NameSet buffers_;
+  std::map<std::string, const ElementType*, std::less<>> buffers_;
   NameSet layered_;           // resources with layers
   NameSet depth_for_colors_;  // depth resources that only serve the depth test of a pass with colours
 };

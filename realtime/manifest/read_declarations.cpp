@@ -118,6 +118,9 @@ void read_compute(Manifest& manifest, TomlReader& reader, PassDeclaration& pass,
   pass.writes = reader.texts("writes");
   pass.views = reader.texts("views");
   if (reader.has("clear")) pass.state.clear = read_numbers(reader, "clear");
+  if (pass.overwrites && pass.state.clear)
+    reader.fail("clear", fmt::format("pass '{}' clears what its shader overwrites", pass.id),
+                "leave out 'clear', or 'overwrites' where the shader does not write all of it");
   pass.write_level = read_expression(manifest, reader, "write_level", scope);
   read_running(reader, pass);
 }

@@ -53,6 +53,21 @@ TEST(ManifestCompute, SaysWhatRunsAndWhatIsShared) {
   EXPECT_FALSE(pass.overwrites);
 }
 
+TEST(ManifestCompute, ClearsToWhatComponentsHold) {
+  for (const std::string value : {"-1", "0.5", "4294967296"}) {
+    EXPECT_THAT(error_with("clear = [4294967295, 0]", "clear = [" + value + "]"),
+                AllOf(HasSubstr("technique.toml:"), HasSubstr("clears 'counts' to " + value),
+                      HasSubstr("whole numbers from 0 to 4294967295")));
+  }
+  EXPECT_THAT(error_with("clear = [4294967295, 0]", "clear = [1, 2, 3]"),
+              HasSubstr("clears with 3 numbers what has 2"));
+  EXPECT_THAT(error_with("clear = [4294967295, 0]", "clear = [1]\noverwrites = true"),
+              HasSubstr("clears what its shader overwrites"));
+  const std::string integers = replaced(counting(), "element = \"uvec2\"", "element = \"ivec2\"");
+  EXPECT_EQ(error_in(replaced(integers, "clear = [4294967295, 0]", "clear = [-2147483648, 7]")), "no error");
+  EXPECT_THAT(error_in(integers), HasSubstr("to 4294967295, which its integers cannot hold"));
+}
+
 TEST(ManifestCompute, BuffersHaveElementsOfAKindAndACount) {
   EXPECT_THAT(
       error_with("element = \"uvec2\"", "element = \"uvec3\""),
