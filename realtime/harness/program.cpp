@@ -63,10 +63,11 @@ std::string program_log(GLuint program) {
   const auto errors = std::count_if(messages.begin(), messages.end(), is_error);
   if (first == messages.end()) first = messages.begin();
   const std::string text = first == messages.end() ? "the driver gave no reason" : first->text;
-  const std::string more = errors > 1 ? fmt::format("{} more after it", errors - 1) : "";
+  std::string hint = missing_read_hint(text);
+  if (hint.empty() && errors > 1) hint = fmt::format("{} more after it", errors - 1);
   const bool has_place = first != messages.end() && !first->where.file.empty();
   fail_glsl("GLSL does not compile: " + text,
-            has_place ? first->where : FileLocation{file.file.string(), 0, 0}, more);
+            has_place ? first->where : FileLocation{file.file.string(), 0, 0}, hint);
 }
 
 Shader compile(const ShaderFile& file, const ShaderSource& source, std::vector<std::string>& warnings) {

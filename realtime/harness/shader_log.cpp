@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "realtime/harness/shader_source.h"
 
+#include <fmt/format.h>
+
 #include <regex>
 #include <sstream>
+#include <string_view>
 
 namespace umbrameter {
 
@@ -60,6 +63,16 @@ std::vector<ShaderMessage> parse_shader_log(std::string_view log, const ShaderSo
     messages.push_back(parse_line(line, source));
   }
   return messages;
+}
+
+std::string missing_read_hint(const std::string& message) {
+  static const std::regex kRead(R"([`'"](previous_)?(gbuffer|noise|scene)_([a-z_]+)['"])");
+  const bool is_missing =
+      message.find("undeclared") != std::string::npos || message.find("undefined") != std::string::npos;
+  std::smatch match;
+  if (!is_missing || !std::regex_search(message, match, kRead)) return {};
+  const std::string_view previous = match[1].matched ? "previous." : "";
+  return fmt::format("list '{}{}.{}' in the pass's 'reads'", previous, match[2].str(), match[3].str());
 }
 
 }  // namespace umbrameter

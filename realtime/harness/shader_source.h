@@ -36,4 +36,8 @@ struct ShaderMessage {
 /// without a place.
 std::vector<ShaderMessage> parse_shader_log(std::string_view log, const ShaderSource& source);
 
+/// What to do about a message that misses something a pass could have read: "noise_blue" undeclared -> list 'noise.blue'.
+/// Empty for others.
+std::string missing_read_hint(const std::string& message);
+
 }  // namespace umbrameter

@@ -152,6 +152,15 @@ TEST(ShaderLog, MesaNvidiaAndGlslangMessagesFindTheirFile) {
   for (size_t i = 0; i < 5; ++i) EXPECT_EQ(messages[i].is_error, i != 3) << i;
 }
 
+TEST(ShaderLog, AMissingReadIsNamedAsManifestsNameIt) {
+  EXPECT_EQ(missing_read_hint("`noise_blue' undeclared"), "list 'noise.blue' in the pass's 'reads'");
+  EXPECT_EQ(missing_read_hint("undefined variable \"scene_bvh\""), "list 'scene.bvh' in the pass's 'reads'");
+  EXPECT_EQ(missing_read_hint("'previous_gbuffer_shading_normal' : undeclared identifier"),
+            "list 'previous.gbuffer.shading_normal' in the pass's 'reads'");
+  EXPECT_EQ(missing_read_hint("`x' undeclared"), "");
+  EXPECT_EQ(missing_read_hint("`noise_blue' redeclared"), "");
+}
+
 TEST(ShaderLog, WhatIsNotUnderstoodIsKeptWithoutAPlace) {
   const auto messages = parse_shader_log("\nout of registers\n99:1(1): error: z\n", two_files());
   ASSERT_EQ(messages.size(), 2u);
