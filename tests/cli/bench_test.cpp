@@ -98,8 +98,8 @@ TEST_F(GlBenchCommand, TruthsAndRunsAreRenderedOnceAStore) {
     }
     Json numbers;
     for (const Json& scene : json["scenes"])
-      numbers.push_back({scene["name"], scene["reference_device"], scene["parity"], scene["runs"][0]["rmse"],
-                         scene["runs"][0]["bias"]});
+      numbers.push_back({scene["name"], scene["reference_device"], scene["parity"],
+                         scene["runs"][0]["error"]["rmse"], scene["runs"][0]["error"]["bias"]});
     return numbers;
   };
   const Json alone = bench({}, "");
